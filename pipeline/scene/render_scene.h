@@ -1,0 +1,106 @@
+// From a scene and a choice of techniques to draws: cameras, lights, materials, order of drawing.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "pipeline/renderer.h"
+#include "pipeline/scene/animate.h"
+#include "pipeline/scene/environment.h"
+#include "pipeline/scene/scene.h"
+
+namespace barrido::scene {
+
+enum class ColorManagement : std::uint8_t {
+  srgb,  ///< Texels are decoded to linear light, results encoded: glTF's way.
+  none,  ///< Texels and results as they are: OpenGL 1.x and the course.
+};
+
+/// A light given by the user in place of the file's.
+struct UserLight {
+  enum class Space : std::uint8_t { world, camera };
+  Light light;
+  Space space = Space::world;  ///< camera: the light moves with the eye (presets key, fill, back).
+  glm::vec3 position{0, 0, 0};
+  glm::vec3 direction{0, 0, -1};  ///< In which it shines.
+};
+
+/// The view, resolved: where the eye is and what it sees.
+struct View {
+  glm::mat4 eye_from_world{1.0f};
+  glm::mat4 clip_from_eye{1.0f};
+};
+
+struct CameraChoice {
+  int camera_index =
+      kNone;  ///< Of the cameras found in the scene's nodes, in order; kNone: the first, else framed.
+  bool ignore_file_cameras = false;
+  std::optional<glm::vec3> position, focal_point;
+  std::optional<float> view_angle_deg;
+  glm::vec3 up{0, 1, 0};
+  float azimuth_deg = 0.0f, elevation_deg = 0.0f;  ///< Turned about the focal point after all else.
+};
+
+enum class Background : std::uint8_t { color, environment };
+
+/// Every choice that `barrido render` offers for one frame.
+struct RenderSettings {
+  int width = 1280, height = 720;
+  pipeline::ShadeModel shading = pipeline::ShadeModel::phong;
+  pipeline::FlatAt flat_at = pipeline::FlatAt::centroid;
+  pipeline::CheapPhongPower cheap_phong_power = pipeline::CheapPhongPower::pixel;
+  pipeline::SpecularModel lighting = pipeline::SpecularModel::blinn;
+  pipeline::ColorInterpolation color_interpolation = pipeline::ColorInterpolation::perspective;
+  pipeline::TextureInterpolation texture_interpolation = pipeline::TextureInterpolation::perspective;
+  std::optional<raster::MinFilter> min_filter;  ///< Empty: the file's.
+  std::optional<raster::MagFilter> mag_filter;
+  bool textures = true;
+  CameraChoice camera;
+  std::vector<UserLight> lights;  ///< Any: these replace the file's.
+  bool no_lights = false;
+  std::optional<glm::vec3> ambient;
+  std::shared_ptr<const raster::Texture> environment;  ///< Cube map; null: none.
+  bool dynamic_environment = false;                    ///< Rendered from each reflecting object's centre.
+  Background background = Background::color;
+  std::optional<glm::vec4> background_color;
+  std::optional<raster::FogState> fog;
+  std::optional<pipeline::CullFace> cull;  ///< Empty: as the materials say.
+  bool wireframe = false;
+  std::optional<float> crease_angle_deg;  ///< Set: normals are averaged where a model has none.
+  ColorManagement color_management = ColorManagement::srgb;
+  float exposure_ev = 0.0f;
+  raster::ToneMap tone_map = raster::ToneMap::clamp;
+  int scene_index = kNone;  ///< kNone: the file's default.
+  int animation = kNone;
+  double time_s = 0.0;
+  bool keep_float = false;  ///< Keep float colours for exr and hdr.
+  bool visibility_first = true;
+};
+
+/// A scene made ready for drawing many frames: textures with their mip chains are built once and kept.
+class SceneRenderer {
+ public:
+  /// `scene` must outlive the renderer.
+  explicit SceneRenderer(const Scene& scene);
+  ~SceneRenderer();
+
+  /// Draws one frame into a new framebuffer.
+  raster::Framebuffer render(const RenderSettings& settings, pipeline::Statistics* statistics = nullptr);
+
+  /// The view that `render` would use.
+  View view(const RenderSettings& settings) const;
+
+  /// Warnings of the last render that are not in Scene::warnings ("more than 64 lights: the first 64 are
+  /// used").
+  const std::vector<std::string>& warnings() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace barrido::scene

@@ -1,0 +1,234 @@
+// A scene as plain data: what a glTF file holds, in Barrido's terms, checked and ready to draw. Indices refer
+// to the vectors of Scene and are either valid or kNone; nodes form strict trees. Linear RGB throughout.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "pipeline/geometry.h"
+#include "raster/texture.h"
+
+namespace barrido::scene {
+
+inline constexpr int kNone = -1;
+
+/// Floats that either belong to this object or are viewed in a buffer that `owner` keeps alive.
+class FloatArray {
+ public:
+  FloatArray() = default;
+  explicit FloatArray(std::vector<float> values)
+      : owner_(std::make_shared<const std::vector<float>>(std::move(values))) {
+    const auto& owned = *static_cast<const std::vector<float>*>(owner_.get());
+    values_ = {owned.data(), owned.size()};
+  }
+  FloatArray(std::span<const float> view, std::shared_ptr<const void> owner)
+      : owner_(std::move(owner)), values_(view) {}
+
+  bool empty() const { return values_.empty(); }
+  std::size_t size() const { return values_.size(); }
+  const float* data() const { return values_.data(); }
+  std::span<const float> values() const { return values_; }
+
+ private:
+  std::shared_ptr<const void> owner_;
+  std::span<const float> values_;
+};
+
+/// A decoded picture: straight RGBA, 8 bits, top row first (row 0 is t = 0, glTF's convention).
+struct Image {
+  std::string name;  ///< File name or "image 3"; for messages.
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// A picture with its sampler; filters as OpenGL names them.
+struct Texture {
+  int image = kNone;
+  raster::MinFilter min_filter = raster::MinFilter::linear_mipmap_linear;
+  raster::MagFilter mag_filter = raster::MagFilter::linear;
+  raster::Wrap wrap_s = raster::Wrap::repeat;
+  raster::Wrap wrap_t = raster::Wrap::repeat;
+};
+
+/// A use of a texture by a material.
+struct TextureUse {
+  int texture = kNone;
+  int texcoord_set = 0;       ///< 0 or 1: TEXCOORD_n
+  glm::mat3 transform{1.0f};  ///< KHR_texture_transform: (u, v, 1) → (u', v', 1)
+};
+
+/// extras.barrido of a material: exact fixed-function values; what is absent comes from the conversion.
+struct ExactMaterial {
+  std::optional<glm::vec3> ambient, diffuse, specular, emission;
+  std::optional<float> shininess;
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+struct Material {
+  std::string name;
+  glm::vec4 base_color{1, 1, 1, 1};
+  float metallic = 1.0f;
+  float roughness = 1.0f;
+  glm::vec3 emissive{0, 0, 0};
+  TextureUse base_color_texture;
+  TextureUse metallic_roughness_texture;  ///< G roughness, B metallic
+  TextureUse normal_texture;
+  TextureUse occlusion_texture;  ///< R
+  TextureUse emissive_texture;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  bool unlit = false;  ///< KHR_materials_unlit
+  ExactMaterial exact;
+};
+
+struct MorphTarget {
+  FloatArray positions;  ///< 3 floats a vertex, differences; may be empty
+  FloatArray normals;    ///< 3 floats a vertex, differences; may be empty
+};
+
+/// One primitive of a mesh. Arrays are tightly packed, one element a vertex; all but positions may be empty.
+struct Primitive {
+  pipeline::PrimitiveMode mode = pipeline::PrimitiveMode::triangles;
+  std::uint32_t vertex_count = 0;
+  FloatArray positions;                 ///< 3 floats
+  FloatArray normals;                   ///< 3 floats, unit length
+  FloatArray tangents;                  ///< 4 floats
+  std::array<FloatArray, 2> texcoords;  ///< 2 floats
+  FloatArray colors;                    ///< 4 floats
+  std::vector<std::array<std::uint16_t, 4>> joints;
+  FloatArray weights;  ///< 4 floats, sum 1
+  std::vector<MorphTarget> morph_targets;
+  std::vector<std::uint32_t> indices;  ///< Each below vertex_count; empty: vertices in order.
+  int material = kNone;                ///< kNone: glTF's default material
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+  std::vector<float> morph_weights;
+};
+
+/// Local transform, either as a matrix or as translation, rotation and scale (which animations need).
+struct Transform {
+  glm::vec3 translation{0, 0, 0};
+  glm::quat rotation{1, 0, 0, 0};
+  glm::vec3 scale{1, 1, 1};
+  std::optional<glm::mat4> matrix;
+};
+
+struct Node {
+  std::string name;
+  int parent = kNone;
+  std::vector<int> children;
+  Transform transform;
+  int mesh = kNone;
+  int skin = kNone;
+  int camera = kNone;
+  int light = kNone;
+  std::vector<float> morph_weights;  ///< Empty: the mesh's.
+};
+
+struct Camera {
+  enum class Kind : std::uint8_t { perspective, orthographic };
+  std::string name;
+  Kind kind = Kind::perspective;
+  float vertical_fov_rad = 0.8f;
+  float aspect = 0.0f;                          ///< 0: the frame's
+  float half_width = 1.0f, half_height = 1.0f;  ///< xmag, ymag
+  float near_plane = 0.1f;
+  float far_plane = 0.0f;  ///< 0: infinite (perspective only)
+};
+
+/// A light source of a node; it shines along the node's −Z.
+struct Light {
+  enum class Kind : std::uint8_t { directional, point, spot };
+  std::string name;
+  Kind kind = Kind::directional;
+  glm::vec3 color{1, 1, 1};
+  float intensity = 1.0f;  ///< lux (directional) or candela; the course's I_p where `exact_intensity` is set
+  float range = 0.0f;      ///< 0: endless
+  float inner_cone_rad = 0.0f;
+  float outer_cone_rad = 0.785398163f;
+  // extras.barrido
+  std::optional<float> exact_intensity;             ///< I_p, may be negative (V5)
+  std::optional<std::array<float, 3>> attenuation;  ///< kc, kl, kq (L4)
+  std::optional<float> spot_exponent;
+};
+
+struct Skin {
+  std::vector<int> joints;                       ///< Nodes
+  std::vector<glm::mat4> inverse_bind_matrices;  ///< One a joint
+};
+
+struct AnimationChannel {
+  enum class Path : std::uint8_t { translation, rotation, scale, weights };
+  enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+  int node = kNone;
+  Path path = Path::translation;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times_s;  ///< Ascending seconds
+  std::vector<float> values;   ///< times × (3 if cubic) × components
+};
+
+struct Animation {
+  std::string name;
+  std::vector<AnimationChannel> channels;
+  float duration_s = 0.0f;
+};
+
+/// extras.barrido of a glTF scene.
+struct SceneSettings {
+  std::optional<glm::vec3> ambient;
+  std::optional<glm::vec4> background;
+  std::optional<raster::FogState> fog;
+};
+
+struct SceneRoot {
+  std::string name;
+  std::vector<int> nodes;
+  SceneSettings settings;
+};
+
+/// How well a feature found in a file is drawn; for `barrido info`.
+struct Feature {
+  enum class Support : std::uint8_t { exact, approximated, ignored };
+  std::string name;  ///< "KHR_materials_unlit", "material: metallic-roughness", …
+  Support support = Support::exact;
+  std::string note;
+};
+
+struct Scene {
+  std::string source;     ///< Path as given
+  std::string generator;  ///< asset.generator
+  std::vector<Image> images;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<Camera> cameras;
+  std::vector<Light> lights;
+  std::vector<Skin> skins;
+  std::vector<Animation> animations;
+  std::vector<SceneRoot> scenes;
+  int default_scene = 0;
+  std::vector<Feature> features;
+  std::vector<std::string>
+      warnings;  ///< One line each: an optional feature that is not supported, and so on.
+};
+
+}  // namespace barrido::scene

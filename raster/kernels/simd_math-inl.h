@@ -1,0 +1,65 @@
+// Elementary functions on vectors of floats: the same operations in the same order as raster/portable_math.h, so the
+// same bits. Included once per target by Highway's foreach_target mechanism.
+#if defined(BARRIDO_SIMD_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_SIMD_MATH_INL_H
+#undef BARRIDO_SIMD_MATH_INL_H
+#else
+#define BARRIDO_SIMD_MATH_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// See portable_log2.
+template <class D, class V>
+HWY_INLINE V Log2(D d, V x) {
+  const hn::RebindToSigned<D> di;
+  x = hn::Max(x, hn::Set(d, 1.17549435e-38f));
+  const auto bits = hn::BitCast(di, x);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
+  const auto m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  const auto one = hn::Set(d, 1.0f);
+  const auto s = hn::Div(hn::Sub(m, one), hn::Add(m, one));
+  const auto s2 = hn::Mul(s, s);
+  auto p = hn::Set(d, 0.32059889f);
+  p = hn::Add(hn::Mul(p, s2), hn::Set(d, 0.41219858f));
+  p = hn::Add(hn::Mul(p, s2), hn::Set(d, 0.57707802f));
+  p = hn::Add(hn::Mul(p, s2), hn::Set(d, 0.96179669f));
+  p = hn::Add(hn::Mul(p, s2), hn::Set(d, 2.88539008f));
+  return hn::Add(hn::Mul(p, s), hn::ConvertTo(d, exponent));
+}
+
+/// See portable_exp2.
+template <class D, class V>
+HWY_INLINE V Exp2(D d, V x) {
+  const hn::RebindToSigned<D> di;
+  const auto low = hn::Set(d, -126.0f);
+  const auto clamped = hn::Min(hn::Max(x, low), hn::Set(d, 127.99f));
+  const auto n = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
+  const auto f = hn::Sub(clamped, n);
+  auto p = hn::Set(d, 1.52527338e-5f);
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.54035304e-4f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.33335581e-3f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 9.61812911e-3f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 5.55041087e-2f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 2.40226507e-1f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 6.93147181e-1f));
+  p = hn::Add(hn::Mul(p, f), hn::Set(d, 1.0f));
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, n), hn::Set(di, 127))));
+  return hn::IfThenZeroElse(hn::Lt(x, low), hn::Mul(p, scale));
+}
+
+/// See portable_pow; the exponent is one number for all lanes.
+template <class D, class V>
+HWY_INLINE V Pow(D d, V x, float n) {
+  if (n == 0.0f) return hn::Set(d, 1.0f);
+  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), Exp2(d, hn::Mul(hn::Set(d, n), Log2(d, x))));
+}
+
+}  // namespace barrido::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
