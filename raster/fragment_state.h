@@ -134,6 +134,13 @@ struct TextureUnit {
 
 inline constexpr int kAbsent = -1;
 
+/// What a unit's texture coordinates are made of.
+enum class TexcoordKind : std::uint8_t {
+  plain,       ///< 2 varyings (s, t): a two-dimensional texture.
+  projective,  ///< 3 varyings (s, t, q): a two-dimensional texture sampled at (s/q, t/q).
+  cube,        ///< 3 varyings (s, t, r): a direction into a cube map.
+};
+
 /// What a vertex record carries after depth and 1/w, as offsets in floats. The first `affine_count` varyings
 /// are linear on the screen; the others are stored divided by w and are perspective-correct:
 /// f = Σ(b f/w) / Σ(b/w) (OpenGL 1.3, eq. 3.6).
@@ -144,8 +151,8 @@ struct VaryingLayout {
   int eye_position = kAbsent;  ///< 3: eye-space position (Phong with local lights or viewer).
   int dots = kAbsent;          ///< 2 a light: N·L and R·V (or its power) (cheap Phong, S7).
   int fog = kAbsent;           ///< 1: eye-space z, or any value whose magnitude is the fog distance.
-  /// 3 each: (s, t, q) for two-dimensional textures, sampled at (s/q, t/q); (s, t, r) for cube maps.
   std::array<int, kMaxTextureUnits> texcoord{kAbsent, kAbsent, kAbsent, kAbsent};
+  std::array<TexcoordKind, kMaxTextureUnits> texcoord_kind{};
   int count = 0;         ///< Varyings in all, at most kMaxVaryings.
   int affine_count = 0;  ///< How many of them, from the first, are linear on the screen.
 };
