@@ -21,9 +21,11 @@ struct FloatImage {
   std::vector<float> rgba;
 };
 
+/// What may be read. 2^26 pixels (8192²) are 256 MiB of RGBA8: a small file of zeros that unpacks to more is
+/// refused by its header.
 struct ImageLimits {
   int max_side = 16384;
-  std::uint64_t max_pixels = std::uint64_t{1} << 28;
+  std::uint64_t max_pixels = std::uint64_t{1} << 26;
 };
 
 /// Decodes PNG or JPEG (told apart by their first bytes). The header is checked before memory is taken.

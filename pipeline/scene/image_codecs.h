@@ -1,0 +1,27 @@
+// The two formats that every process can read and write without a module: PNG and JPEG, from bytes to pixels
+// and back. Enters: the bytes of a whole file. Leaves: straight RGBA8, top row first. Must not know: paths.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/image_io.h"
+
+namespace barrido::scene {
+
+bool is_png(std::span<const std::uint8_t> bytes);
+bool is_jpeg(std::span<const std::uint8_t> bytes);
+
+/// @throws InputError naming `name`.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+/// @throws InputError naming `name`.
+Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+
+/// Refuses a size outside the limits; called as soon as a header is read, before memory is taken.
+/// @throws InputError naming `name`.
+void check_image_size(std::uint64_t width, std::uint64_t height, const std::string& name,
+                      const ImageLimits& limits);
+
+}  // namespace barrido::scene
