@@ -10,8 +10,11 @@ function(barrido_module target)
   add_library(${target} STATIC ${ARGN})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                               $<INSTALL_INTERFACE:include/barrido>)
-  # Highway: every kernel is compiled for each of these and chosen at run time.
-  target_compile_definitions(${target} PRIVATE HWY_COMPILE_ALL_ATTAINABLE
+  # Highway: every kernel is compiled for each attainable target and chosen at run time. Before 12.3 g++'s automatic
+  # vectorizer miscompiles Highway's portable target (GCC bug 106322), for which Highway then falls back to one lane
+  # without 16-bit arithmetic. The kernels are vectors already, so the vectorizer is switched off instead.
+  target_compile_definitions(${target} PRIVATE HWY_COMPILE_ALL_ATTAINABLE HWY_BROKEN_EMU128=0
                                                "HWY_DISABLED_TARGETS=(HWY_SSSE3)")
+  target_compile_options(${target} PRIVATE -fno-tree-vectorize)
   barrido_warnings(${target})
 endfunction()

@@ -1,0 +1,120 @@
+// The depth test of one span against the tile, and the two things that may come of it: a visible span number
+// per pixel (visibility before shading), or the runs of pixels that passed (shading in drawing order).
+#if defined(BARRIDO_DEPTH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_DEPTH_INL_H
+#undef BARRIDO_DEPTH_INL_H
+#else
+#define BARRIDO_DEPTH_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "raster/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Comparison of floats as a mask; `incoming` stands left.
+template <Compare kCompare, class V>
+HWY_INLINE auto compare(V incoming, V stored) {
+  if constexpr (kCompare == Compare::less) {
+    return hn::Lt(incoming, stored);
+  } else if constexpr (kCompare == Compare::equal) {
+    return hn::Eq(incoming, stored);
+  } else if constexpr (kCompare == Compare::less_equal) {
+    return hn::Le(incoming, stored);
+  } else if constexpr (kCompare == Compare::greater) {
+    return hn::Gt(incoming, stored);
+  } else if constexpr (kCompare == Compare::not_equal) {
+    return hn::Ne(incoming, stored);
+  } else if constexpr (kCompare == Compare::greater_equal) {
+    return hn::Ge(incoming, stored);
+  } else if constexpr (kCompare == Compare::always) {
+    return hn::Eq(hn::Zero(hn::DFromV<V>()), hn::Zero(hn::DFromV<V>()));
+  } else {
+    return hn::Lt(hn::Zero(hn::DFromV<V>()), hn::Zero(hn::DFromV<V>()));
+  }
+}
+
+/// Calls `call.template operator()<kCompare>()` for the comparison at hand.
+template <class Call>
+HWY_INLINE void with_compare(Compare function, Call&& call) {
+  switch (function) {
+    case Compare::never:
+      return call.template operator()<Compare::never>();
+    case Compare::less:
+      return call.template operator()<Compare::less>();
+    case Compare::equal:
+      return call.template operator()<Compare::equal>();
+    case Compare::less_equal:
+      return call.template operator()<Compare::less_equal>();
+    case Compare::greater:
+      return call.template operator()<Compare::greater>();
+    case Compare::not_equal:
+      return call.template operator()<Compare::not_equal>();
+    case Compare::greater_equal:
+      return call.template operator()<Compare::greater_equal>();
+    case Compare::always:
+      return call.template operator()<Compare::always>();
+  }
+}
+
+/// A span's depth: value at its anchor column and slope; columns relative to the tile.
+struct SpanDepth {
+  float row;
+  float slope;
+  int anchor;
+};
+
+/// Depth of the pixels from column x on.
+template <class D>
+HWY_INLINE auto depth_at(D d, const SpanDepth& depth, int x) {
+  const auto k = hn::Iota(d, static_cast<float>(x - depth.anchor));
+  const auto z = hn::Add(hn::Set(d, depth.row), hn::Mul(hn::Set(d, depth.slope), k));
+  return hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
+}
+
+/// Columns [begin, end) as a mask of the vector that starts at x.
+template <class D>
+HWY_INLINE auto columns_mask(D d, int x, int begin, int end) {
+  const hn::RebindToSigned<D> di;
+  const auto column = hn::Iota(di, x);
+  return hn::RebindMask(d, hn::And(hn::Gt(column, hn::Set(di, begin - 1)), hn::Lt(column, hn::Set(di, end))));
+}
+
+/// Tests columns [begin, end) of a row and calls passed(x, mask) for each aligned vector of pixels. Depth is
+/// written where the test passes when kWrite.
+template <Compare kCompare, bool kTest, bool kWrite, class Passed>
+HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, int end, Passed&& passed) {
+  const hn::ScalableTag<float> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int x = begin & ~(lanes - 1); x < end; x += lanes) {
+    auto mask = columns_mask(d, x, begin, end);
+    if constexpr (kTest) {
+      const auto z = depth_at(d, depth, x);
+      const auto stored = hn::Load(d, depth_row + x);
+      mask = hn::And(mask, compare<kCompare>(z, stored));
+      if constexpr (kWrite) hn::BlendedStore(z, mask, d, depth_row + x);
+    }
+    passed(x, mask);
+  }
+}
+
+template <class Passed>
+HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
+                           int begin, int end, Passed&& passed) {
+  if (!state.test) return test_depth<Compare::always, false, false>(depth_row, depth, begin, end, passed);
+  with_compare(state.compare, [&]<Compare kCompare>() HWY_ATTR {
+    if (write) {
+      test_depth<kCompare, true, true>(depth_row, depth, begin, end, passed);
+    } else {
+      test_depth<kCompare, true, false>(depth_row, depth, begin, end, passed);
+    }
+  });
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

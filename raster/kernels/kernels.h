@@ -1,0 +1,33 @@
+// The vector kernels, each compiled for every instruction set and called through the one in use
+// (simd_target.h).
+#pragma once
+
+#include "raster/tile.h"
+
+namespace barrido::raster {
+
+/// Draws the job's chunks into workspace.surface.
+void rasterize_tile(const TileJob& job, TileWorkspace& workspace);
+
+/// Shades all fragments of workspace.batch, writes them to workspace.surface and empties the batch.
+void shade_batch(TileWorkspace& workspace);
+
+/// Samples `unit`'s texture for every fragment of the batch: texel[channel][fragment] in [0, 1].
+/// @return texels read.
+std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]);
+
+/// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit.
+void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
+                     const float (*primary)[kBatchStride]);
+
+/// Clamps primary and secondary colours to [0, 1].
+void clamp_colors(FragmentBatch& batch);
+
+/// Secondary colour, fog, alpha test, blending and stores: from the batch's colours to the surface.
+void write_fragments(FragmentBatch& batch, TileSurface& surface);
+
+/// Float colours of one row to packed 8-bit ones (docs/arithmetic.md, Display).
+void display_row(const TileSurface& surface, int row, int count, const DisplayTransform& display,
+                 std::uint32_t* out);
+
+}  // namespace barrido::raster

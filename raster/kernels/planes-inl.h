@@ -1,0 +1,153 @@
+// What: the planes of all quantities of a primitive (depth, q = 1/w, varyings), one vector lane a quantity.
+// Enters: window positions and vertex records. Leaves: values at a span's first pixel and slopes along the
+// scanline.
+#if defined(BARRIDO_PLANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_PLANES_INL_H
+#undef BARRIDO_PLANES_INL_H
+#else
+#define BARRIDO_PLANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "raster/primitive.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+inline constexpr int kMaxQuantities = record_stride(kMaxVaryings);
+
+/// f(x, y) = base + ddx·(x − x0) + ddy·(y − y0) in window coordinates, for each quantity.
+struct Planes {
+  double x0, y0;
+  int count = 0;  ///< Quantities, padded to a multiple of eight.
+  alignas(64) double base[kMaxQuantities];
+  alignas(64) double ddx[kMaxQuantities];
+  alignas(64) double ddy[kMaxQuantities];
+  alignas(64) float slope_x[kMaxQuantities];
+  alignas(64) float slope_y[kMaxQuantities];
+};
+
+/// The inverse of the triangle's edge matrix: ddx = e1·a + e2·b with the differences e1, e2 of a quantity.
+struct TriangleFrame {
+  double x0, y0, dx1, dy1, dx2, dy2, inverse;
+};
+
+inline TriangleFrame triangle_frame(const PrimitiveRecord& p) {
+  constexpr double kUnit = 1.0 / kSubpixelUnits;
+  TriangleFrame f;
+  f.x0 = p.x[0] * kUnit;
+  f.y0 = p.y[0] * kUnit;
+  f.dx1 = p.x[1] * kUnit - f.x0;
+  f.dy1 = p.y[1] * kUnit - f.y0;
+  f.dx2 = p.x[2] * kUnit - f.x0;
+  f.dy2 = p.y[2] * kUnit - f.y0;
+  f.inverse = 1.0 / (f.dx1 * f.dy2 - f.dx2 * f.dy1);
+  return f;
+}
+
+/// The plane of depth alone, for the visibility pass: the same operations as in `set_up_triangle`.
+struct DepthPlane {
+  double x0, y0, base, ddx, ddy;
+
+  float at(int x, int y) const {
+    return static_cast<float>((base + ddx * ((x + 0.5) - x0)) + ddy * ((y + 0.5) - y0));
+  }
+};
+
+inline double offset_depth(double base, double ddx, double ddy, const PolygonOffset& offset) {
+  if (!offset.enabled) return base;
+  return base + (static_cast<double>(offset.factor) * std::max(std::fabs(ddx), std::fabs(ddy)) +
+                 static_cast<double>(offset.units) * 0x1p-24);
+}
+
+inline DepthPlane triangle_depth_plane(const TriangleFrame& f, float z0, float z1, float z2,
+                                       const PolygonOffset& offset) {
+  const double e1 = static_cast<double>(z1) - static_cast<double>(z0);
+  const double e2 = static_cast<double>(z2) - static_cast<double>(z0);
+  DepthPlane plane{f.x0, f.y0, static_cast<double>(z0), (e1 * f.dy2 - e2 * f.dy1) * f.inverse,
+                   (e2 * f.dx1 - e1 * f.dx2) * f.inverse};
+  plane.base = offset_depth(plane.base, plane.ddx, plane.ddy, offset);
+  return plane;
+}
+
+HWY_INLINE void set_up_triangle(const TriangleFrame& f, const float* r0, const float* r1, const float* r2,
+                                int count, const PolygonOffset& offset, Planes& planes) {
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, decltype(d)> df;
+  planes.x0 = f.x0;
+  planes.y0 = f.y0;
+  planes.count = count;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto v0 = hn::PromoteTo(d, hn::LoadU(df, r0 + i));
+    const auto e1 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r1 + i)), v0);
+    const auto e2 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r2 + i)), v0);
+    const auto inverse = hn::Set(d, f.inverse);
+    const auto ddx =
+        hn::Mul(hn::Sub(hn::Mul(e1, hn::Set(d, f.dy2)), hn::Mul(e2, hn::Set(d, f.dy1))), inverse);
+    const auto ddy =
+        hn::Mul(hn::Sub(hn::Mul(e2, hn::Set(d, f.dx1)), hn::Mul(e1, hn::Set(d, f.dx2))), inverse);
+    hn::Store(v0, d, planes.base + i);
+    hn::Store(ddx, d, planes.ddx + i);
+    hn::Store(ddy, d, planes.ddy + i);
+    hn::Store(hn::DemoteTo(df, ddx), df, planes.slope_x + i);
+    hn::Store(hn::DemoteTo(df, ddy), df, planes.slope_y + i);
+  }
+  planes.base[kRecordDepth] =
+      offset_depth(planes.base[kRecordDepth], planes.ddx[kRecordDepth], planes.ddy[kRecordDepth], offset);
+}
+
+/// Quantities of a line vary along its major axis only.
+inline void set_up_line(const PrimitiveRecord& p, const float* r0, const float* r1, int count,
+                        Planes& planes) {
+  constexpr double kUnit = 1.0 / kSubpixelUnits;
+  planes.x0 = p.x[0] * kUnit;
+  planes.y0 = p.y[0] * kUnit;
+  planes.count = count;
+  const double dx = p.x[1] * kUnit - planes.x0;
+  const double dy = p.y[1] * kUnit - planes.y0;
+  const bool x_major = std::fabs(dx) >= std::fabs(dy);
+  for (int i = 0; i < count; ++i) {
+    const double e = static_cast<double>(r1[i]) - static_cast<double>(r0[i]);
+    planes.base[i] = static_cast<double>(r0[i]);
+    planes.ddx[i] = x_major ? e / dx : 0.0;
+    planes.ddy[i] = x_major ? 0.0 : e / dy;
+    planes.slope_x[i] = static_cast<float>(planes.ddx[i]);
+    planes.slope_y[i] = static_cast<float>(planes.ddy[i]);
+  }
+}
+
+inline void set_up_point(const PrimitiveRecord& p, const float* r0, int count, Planes& planes) {
+  constexpr double kUnit = 1.0 / kSubpixelUnits;
+  planes.x0 = p.x[0] * kUnit;
+  planes.y0 = p.y[0] * kUnit;
+  planes.count = count;
+  for (int i = 0; i < count; ++i) {
+    planes.base[i] = static_cast<double>(r0[i]);
+    planes.ddx[i] = planes.ddy[i] = 0.0;
+    planes.slope_x[i] = planes.slope_y[i] = 0.0f;
+  }
+}
+
+/// Values of all quantities at the centre of window pixel (x, y).
+HWY_INLINE void evaluate_row(const Planes& planes, int x, int y, float* row) {
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, decltype(d)> df;
+  const auto dx = hn::Set(d, (x + 0.5) - planes.x0);
+  const auto dy = hn::Set(d, (y + 0.5) - planes.y0);
+  for (int i = 0; i < planes.count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto along_x = hn::Add(hn::Load(d, planes.base + i), hn::Mul(hn::Load(d, planes.ddx + i), dx));
+    const auto value = hn::Add(along_x, hn::Mul(hn::Load(d, planes.ddy + i), dy));
+    hn::Store(hn::DemoteTo(df, value), df, row + i);
+  }
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

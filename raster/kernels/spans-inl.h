@@ -1,0 +1,186 @@
+// Where: the scanline spans of one primitive in one tile. Exact on the 1/256-pixel grid; see
+// docs/arithmetic.md for the rule and for why the ceiling of a double division is exact. Enters: a primitive
+// and a tile. Leaves: spans.
+#if defined(BARRIDO_SPANS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_SPANS_INL_H
+#undef BARRIDO_SPANS_INL_H
+#else
+#define BARRIDO_SPANS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "raster/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The tile's place in the window; all columns and rows below are relative to it.
+struct TileArea {
+  int x;       ///< Window x of column 0.
+  int y;       ///< Window y of row 0.
+  int width;   ///< Columns that lie in the frame.
+  int height;  ///< Rows that lie in the frame.
+};
+
+/// A triangle's spans in a tile: row r covers columns [first[r], end[r]) for r in [row_begin, row_end).
+struct TriangleSpans {
+  int row_begin = 0;
+  int row_end = 0;
+  alignas(64) std::int32_t first[kTileHeight + 8];
+  alignas(64) std::int32_t end[kTileHeight + 8];
+};
+
+/// The triangle's corners from the lowest to the highest, in 1/256 pixel.
+struct SortedCorners {
+  std::int32_t x[3];
+  std::int32_t y[3];
+};
+
+inline SortedCorners sort_by_y(const PrimitiveRecord& p) {
+  SortedCorners c{{p.x[0], p.x[1], p.x[2]}, {p.y[0], p.y[1], p.y[2]}};
+  const auto order = [&c](int i, int j) {
+    if (c.y[i] <= c.y[j]) return;
+    std::swap(c.y[i], c.y[j]);
+    std::swap(c.x[i], c.x[j]);
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return c;
+}
+
+/// First row whose centre is at or above y (1/256 pixel), relative to the tile.
+inline int first_row_at(std::int32_t y, const TileArea& tile) {
+  return ((y + kSubpixelUnits / 2 - 1) >> kSubpixelBits) - tile.y;
+}
+
+/// An edge from its lower to its upper end: the crossing of row centre Y is the ceiling of
+/// (start + (Y − y)·dx) / denominator, start = (x − 128)·dy.
+struct Edge {
+  double y, dx, dy, start, denominator;
+};
+
+inline Edge make_edge(std::int32_t xa, std::int32_t ya, std::int32_t xb, std::int32_t yb) {
+  const double dy = static_cast<double>(yb) - ya;
+  return {static_cast<double>(ya), static_cast<double>(xb) - xa, dy,
+          (static_cast<double>(xa) - kSubpixelUnits / 2) * dy, kSubpixelUnits * dy};
+}
+
+/// @return false when the triangle has no row in the tile.
+HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
+  const SortedCorners c = sort_by_y(p);
+  spans.row_begin = std::max(first_row_at(c.y[0], tile), 0);
+  spans.row_end = std::min(first_row_at(c.y[2], tile), tile.height);
+  if (spans.row_begin >= spans.row_end) return false;
+  const int middle_row = first_row_at(c.y[1], tile);
+  const Edge edge_long = make_edge(c.x[0], c.y[0], c.x[2], c.y[2]);
+  const Edge edge_lower = make_edge(c.x[0], c.y[0], c.x[1], c.y[1]);
+  const Edge edge_upper = make_edge(c.x[1], c.y[1], c.x[2], c.y[2]);
+
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  const auto crossing = [&](auto center, auto y, auto dx, auto start, auto denominator) HWY_ATTR {
+    const auto numerator = hn::Add(start, hn::Mul(hn::Sub(center, y), dx));
+    // Held within the guard band so that the conversion is defined for slivers of rows past the last one as
+    // well.
+    return hn::DemoteTo(di, hn::Ceil(hn::Div(numerator, denominator)));
+  };
+  const auto low = hn::Set(di, tile.x);
+  const auto high = hn::Set(di, tile.x + tile.width);
+  const auto last_row = hn::Set(d, static_cast<double>(spans.row_end - 1));
+  for (int r = spans.row_begin; r < spans.row_end; r += static_cast<int>(hn::Lanes(d))) {
+    const auto row = hn::Min(hn::Iota(d, static_cast<double>(r)), last_row);
+    const auto center = hn::Add(hn::Mul(hn::Add(row, hn::Set(d, static_cast<double>(tile.y))),
+                                        hn::Set(d, static_cast<double>(kSubpixelUnits))),
+                                hn::Set(d, kSubpixelUnits / 2.0));
+    const auto is_lower = hn::Lt(row, hn::Set(d, static_cast<double>(middle_row)));
+    const auto pick = [&](double lower, double upper)
+                          HWY_ATTR { return hn::IfThenElse(is_lower, hn::Set(d, lower), hn::Set(d, upper)); };
+    const auto a = crossing(center, hn::Set(d, edge_long.y), hn::Set(d, edge_long.dx),
+                            hn::Set(d, edge_long.start), hn::Set(d, edge_long.denominator));
+    const auto b = crossing(center, pick(edge_lower.y, edge_upper.y), pick(edge_lower.dx, edge_upper.dx),
+                            pick(edge_lower.start, edge_upper.start),
+                            pick(edge_lower.denominator, edge_upper.denominator));
+    const auto first = hn::Max(hn::Min(a, b), low);
+    const auto end = hn::Min(hn::Max(a, b), high);
+    hn::StoreU(hn::Sub(first, low), di, spans.first + r);
+    hn::StoreU(hn::Sub(end, low), di, spans.end + r);
+  }
+  return true;
+}
+
+/// Visits the spans (row, first, end) of an n × n square point.
+template <class Visit>
+void point_spans(const PrimitiveRecord& p, float point_size, const TileArea& tile, Visit&& visit) {
+  const int size =
+      std::max(1, static_cast<int>(std::floor(std::min(point_size, 1.0f * kMaxFrameSide) + 0.5f)));
+  const auto lowest = [size](std::int32_t v) {
+    return (size & 1) != 0 ? (v >> kSubpixelBits) - (size - 1) / 2
+                           : ((v + kSubpixelUnits / 2) >> kSubpixelBits) - size / 2;
+  };
+  const int x = lowest(p.x[0]) - tile.x;
+  const int y = lowest(p.y[0]) - tile.y;
+  const int first = std::max(x, 0);
+  const int end = std::min(x + size, tile.width);
+  for (int row = std::max(y, 0); first < end && row < std::min(y + size, tile.height); ++row)
+    visit(row, first, end);
+}
+
+inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+  const std::int64_t q = a / b;
+  return q - static_cast<std::int64_t>((a % b != 0) && ((a < 0) != (b < 0)));
+}
+
+/// Visits the pixels of a line as spans of one pixel, from its first end to its second.
+template <class Visit>
+void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile, Visit&& visit) {
+  const int width =
+      std::max(1, static_cast<int>(std::floor(std::min(line_width, 1.0f * kMaxFrameSide) + 0.5f)));
+  const std::int64_t dx = static_cast<std::int64_t>(p.x[1]) - p.x[0];
+  const std::int64_t dy = static_cast<std::int64_t>(p.y[1]) - p.y[0];
+  const bool x_major = std::abs(dx) >= std::abs(dy);
+  const std::int64_t d_major = x_major ? dx : dy;
+  const std::int64_t d_minor = x_major ? dy : dx;
+  if (d_major == 0) return;
+  const std::int64_t major_a = x_major ? p.x[0] : p.y[0];
+  const std::int64_t major_b = x_major ? p.x[1] : p.y[1];
+  const std::int64_t minor_a = x_major ? p.y[0] : p.x[0];
+  const int major_origin = x_major ? tile.x : tile.y;
+  const int minor_origin = x_major ? tile.y : tile.x;
+  const int major_size = x_major ? tile.width : tile.height;
+  const int minor_size = x_major ? tile.height : tile.width;
+
+  // Centres in [a, b) going up, in (b, a] going down: half-open at the second end.
+  const auto at_or_after = [](std::int64_t v) { return (v + kSubpixelUnits / 2 - 1) >> kSubpixelBits; };
+  const auto after = [](std::int64_t v) { return (v + kSubpixelUnits / 2) >> kSubpixelBits; };
+  const bool up = d_major > 0;
+  const std::int64_t begin = std::max<std::int64_t>(up ? at_or_after(major_a) : after(major_b), major_origin);
+  const std::int64_t end =
+      std::min<std::int64_t>(up ? at_or_after(major_b) : after(major_a), major_origin + major_size);
+  for (std::int64_t k = 0; k < end - begin; ++k) {
+    const std::int64_t pixel = up ? begin + k : end - 1 - k;
+    const std::int64_t center = pixel * kSubpixelUnits + kSubpixelUnits / 2;
+    const std::int64_t numerator = minor_a * d_major + (center - major_a) * d_minor;
+    const int middle = static_cast<int>(floor_div(numerator, d_major * kSubpixelUnits));
+    const int major = static_cast<int>(pixel) - major_origin;
+    const int lowest = middle - (width - 1) / 2 - minor_origin;
+    for (int minor = std::max(lowest, 0); minor < std::min(lowest + width, minor_size); ++minor) {
+      if (x_major) {
+        visit(minor, major, major + 1);
+      } else {
+        visit(major, minor, minor + 1);
+      }
+    }
+  }
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
