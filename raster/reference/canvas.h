@@ -1,0 +1,40 @@
+// The frame while it is drawn: one colour, in the precision of the frame's format, and one depth a pixel.
+// Leaves a Framebuffer. Knows nothing of primitives.
+#pragma once
+
+#include <vector>
+
+#include "raster/fragment_state.h"
+#include "raster/framebuffer.h"
+#include "raster/rasterizer.h"
+#include "raster/reference/arithmetic.h"
+
+namespace barrido::raster::reference {
+
+class Canvas {
+ public:
+  Canvas(const FramebufferOptions& options, const ClearValues& clear);
+
+  /// Alpha test, depth test, blending, masks and storing, at window coordinates (x, y) inside the frame.
+  void apply(const FragmentState& state, int x, int y, const Color& color, float depth);
+
+  /// Writes the 8-bit picture, and float colours and depth where the framebuffer keeps them.
+  void store(Framebuffer& framebuffer) const;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.width) +
+           static_cast<std::size_t>(x);
+  }
+  Color stored_color(Color color) const;
+  Color incoming_color(Color color) const;
+
+  FramebufferOptions options_;
+  std::vector<Color> color_;  ///< Bottom row first; rgba8: multiples of 1/255 as read back from bytes.
+  std::vector<float> depth_;
+};
+
+/// The 8-bit colour of a float frame's colour ("Display").
+std::uint32_t display_color(const DisplayTransform& display, const Color& color);
+
+}  // namespace barrido::raster::reference

@@ -1,0 +1,215 @@
+#include "raster/reference/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "raster/reference/cube_face.h"
+
+namespace barrido::raster::reference {
+namespace {
+
+/// Filtered channels in 16 bits: 65280 is 1 for rgba8 texels, 65535 for rgba16.
+using Filtered = std::array<std::uint32_t, 4>;
+
+/// A place on one face of a texture, before wrapping.
+struct Place {
+  int face = 0;
+  float u = 0.0f;
+  float v = 0.0f;
+};
+
+float sane_coordinate(float value) { return std::fabs(value) < 4194304.0f ? value : 0.0f; }
+
+Place cube_place(const float (&direction)[3]) {
+  const CubeFace face = select_cube_face(direction);
+  const float major = face.major.of(direction);
+  if (major == 0.0f) return {0, 0.5f, 0.5f};
+  const float w = 1.0f / major;
+  return {face.face, sane_coordinate((face.sc.of(direction) * w + 1.0f) * 0.5f),
+          sane_coordinate((face.tc.of(direction) * w + 1.0f) * 0.5f)};
+}
+
+Place place_of(TexcoordKind kind, const float (&coordinates)[3]) {
+  switch (kind) {
+    case TexcoordKind::cube:
+      return cube_place(coordinates);
+    case TexcoordKind::projective:
+      return {0, sane_coordinate(coordinates[0] / coordinates[2]),
+              sane_coordinate(coordinates[1] / coordinates[2])};
+    case TexcoordKind::plain:
+      break;
+  }
+  return {0, sane_coordinate(coordinates[0]), sane_coordinate(coordinates[1])};
+}
+
+float wrapped(float u, Wrap wrap) {
+  switch (wrap) {
+    case Wrap::repeat:
+      return u - std::floor(u);
+    case Wrap::mirrored_repeat: {
+      const float m = u - 2.0f * std::floor(u * 0.5f);
+      return m > 1.0f ? 2.0f - m : m;
+    }
+    case Wrap::clamp:
+    case Wrap::clamp_to_edge:
+      return clamp_to_unit(u);
+    case Wrap::clamp_to_border:
+      break;
+  }
+  return u;
+}
+
+/// The texel's channels as they are stored; (i, j) may lie in the apron.
+Filtered fetch(const Texture& texture, int level, int face, int i, int j) {
+  const MipLevel& where = texture.level(level, face);
+  const std::size_t texel = static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(where.pitch_texels) +
+                            static_cast<std::size_t>(i + 1);
+  const std::uint8_t* base = texture.data() + where.offset_bytes;
+  Filtered channels{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    channels[c] = texture.format() == TexelFormat::rgba8
+                      ? base[texel * 4 + c]
+                      : reinterpret_cast<const std::uint16_t*>(base)[texel * 4 + c];
+  }
+  return channels;
+}
+
+int nearest_index(float u, int size, Wrap wrap) {
+  const float index = std::floor(wrapped(u, wrap) * static_cast<float>(size));
+  const bool border = wrap == Wrap::clamp_to_border;
+  const auto lowest = static_cast<float>(border ? -1 : 0);
+  const auto highest = static_cast<float>(border ? size : size - 1);
+  return static_cast<int>(minimum(maximum(index, lowest), highest));
+}
+
+Filtered sample_nearest(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t) {
+  const MipLevel& size = texture.level(level, place.face);
+  Filtered texel = fetch(texture, level, place.face, nearest_index(place.u, size.width, wrap_s),
+                         nearest_index(place.v, size.height, wrap_t));
+  if (texture.format() == TexelFormat::rgba8) {
+    for (std::uint32_t& channel : texel) channel *= 256;
+  }
+  return texel;
+}
+
+/// Two neighbouring texels along one axis: texel `first` and the next, the next with weight fraction/256.
+struct Neighbours {
+  int first = 0;
+  std::uint32_t fraction = 0;
+};
+
+Neighbours linear_neighbours(float u, int size, Wrap wrap) {
+  const float position = (wrapped(u, wrap) * static_cast<float>(size) - 0.5f) * 256.0f;
+  const float bounded = minimum(maximum(position, -256.0f), 256.0f * static_cast<float>(size));
+  const int fixed = static_cast<int>(std::floor(bounded));
+  return {fixed >> 8, static_cast<std::uint32_t>(fixed & 255)};
+}
+
+std::uint32_t high_half(std::uint32_t a, std::uint32_t b) { return (a * b) >> 16; }
+
+/// a·(1 − fraction/256) + b·(fraction/256) on 16-bit numbers.
+std::uint32_t blend16(std::uint32_t a, std::uint32_t b, std::uint32_t fraction) {
+  return high_half(a, 65535u - (fraction << 8)) + high_half(b, fraction << 8);
+}
+
+Filtered blend16(const Filtered& a, const Filtered& b, std::uint32_t fraction) {
+  Filtered result{};
+  for (std::size_t c = 0; c < 4; ++c) result[c] = blend16(a[c], b[c], fraction);
+  return result;
+}
+
+/// Texels i and i + 1 of row j, filtered along the row.
+Filtered filter_row(const Texture& texture, int level, int face, const Neighbours& across, int j) {
+  const int width = texture.level(level, face).width;
+  const Filtered left = fetch(texture, level, face, across.first, j);
+  // At first = width the weight is 0, and there is no texel behind the apron.
+  const Filtered right = fetch(texture, level, face, std::min(across.first + 1, width), j);
+  if (texture.format() == TexelFormat::rgba16) return blend16(left, right, across.fraction);
+  Filtered row{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    row[c] = left[c] * (256 - across.fraction) + right[c] * across.fraction;
+  }
+  return row;
+}
+
+Filtered sample_linear(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t) {
+  const MipLevel& size = texture.level(level, place.face);
+  const Neighbours across = linear_neighbours(place.u, size.width, wrap_s);
+  const Neighbours down = linear_neighbours(place.v, size.height, wrap_t);
+  const Filtered near_row = filter_row(texture, level, place.face, across, down.first);
+  const Filtered far_row =
+      filter_row(texture, level, place.face, across, std::min(down.first + 1, size.height));
+  return blend16(near_row, far_row, down.fraction);
+}
+
+Filtered sample_level(const Texture& texture, int level, const Place& place, bool linear) {
+  // Cube maps have no wrap modes: the apron holds what stands beyond an edge.
+  const TextureOptions& options = texture.options();
+  const Wrap wrap_s = texture.is_cube() ? Wrap::clamp_to_edge : options.wrap_s;
+  const Wrap wrap_t = texture.is_cube() ? Wrap::clamp_to_edge : options.wrap_t;
+  return linear ? sample_linear(texture, level, place, wrap_s, wrap_t)
+                : sample_nearest(texture, level, place, wrap_s, wrap_t);
+}
+
+bool is_linear_within_level(MinFilter filter) {
+  return filter == MinFilter::linear || filter == MinFilter::linear_mipmap_nearest ||
+         filter == MinFilter::linear_mipmap_linear;
+}
+
+/// The λ up to which the magnification filter is used.
+float magnification_limit(const TextureUnit& unit) {
+  const bool nearest_mipmap = unit.min_filter == MinFilter::nearest_mipmap_nearest ||
+                              unit.min_filter == MinFilter::nearest_mipmap_linear;
+  return unit.mag_filter == MagFilter::linear && nearest_mipmap ? 0.5f : 0.0f;
+}
+
+Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lod) {
+  const Texture& texture = *unit.texture;
+  const int last = texture.level_count() - 1;
+  const float bounded = minimum(lod, static_cast<float>(last));
+  const int near_level = static_cast<int>(std::floor(bounded));
+  const int far_level = std::min(near_level + 1, last);
+  const float between = (bounded - static_cast<float>(near_level)) * 256.0f;
+  const bool linear = is_linear_within_level(unit.min_filter);
+  return blend16(sample_level(texture, near_level, place, linear),
+                 sample_level(texture, far_level, place, linear),
+                 static_cast<std::uint32_t>(std::floor(between)));
+}
+
+Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod) {
+  const Texture& texture = *unit.texture;
+  const bool linear = is_linear_within_level(unit.min_filter);
+  switch (unit.min_filter) {
+    case MinFilter::nearest:
+    case MinFilter::linear:
+      break;
+    case MinFilter::nearest_mipmap_nearest:
+    case MinFilter::linear_mipmap_nearest: {
+      const auto last = static_cast<float>(texture.level_count() - 1);
+      const float level = minimum(maximum(std::ceil(lod + 0.5f) - 1.0f, 0.0f), last);
+      return sample_level(texture, static_cast<int>(level), place, linear);
+    }
+    case MinFilter::nearest_mipmap_linear:
+    case MinFilter::linear_mipmap_linear:
+      return sample_two_levels(unit, place, lod);
+  }
+  return sample_level(texture, 0, place, linear);
+}
+
+}  // namespace
+
+Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod) {
+  const Place place = place_of(kind, coordinates);
+  const float biased = lod + unit.lod_bias;
+  const bool magnified = biased <= magnification_limit(unit);
+  const Filtered filtered = magnified
+                                ? sample_level(*unit.texture, 0, place, unit.mag_filter == MagFilter::linear)
+                                : sample_minified(unit, place, biased);
+  const float scale = unit.texture->format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
+  Color color{};
+  for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<float>(filtered[c]) * scale;
+  return color;
+}
+
+}  // namespace barrido::raster::reference
