@@ -17,7 +17,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 ///
 /// x = 2^e·m with m in [√½, √2), s = (m − 1)/(m + 1), log2 m = (2/ln 2)(s + s³/3 + s⁵/5 + …).
 inline float portable_log2(float x) {
-  x = std::max(x, 1.17549435e-38f);
+  x = std::max(1.17549435e-38f, x);  // in this order a NaN counts as the smallest number too
   const std::int32_t bits = std::bit_cast<std::int32_t>(x);
   const std::int32_t exponent = (bits - 0x3f3504f3) >> 23;
   const float m = std::bit_cast<float>(bits - (exponent << 23));
@@ -36,7 +36,7 @@ inline float portable_log2(float x) {
 ///
 /// x = n + f with f in [−½, ½]; the Taylor polynomial of 2^f of degree 7 is exact to float precision there.
 inline float portable_exp2(float x) {
-  const float clamped = std::min(std::max(x, -126.0f), 127.99f);
+  const float clamped = std::min(std::max(-126.0f, x), 127.99f);
   const float n = std::floor(clamped + 0.5f);
   const float f = clamped - n;
   float p = 1.52527338e-5f;

@@ -1,7 +1,5 @@
 #include "raster/reference/level_of_detail.h"
 
-#include <cmath>
-
 #include "raster/portable_math.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/cube_face.h"
@@ -90,9 +88,7 @@ float level_of_detail(const FragmentState& state, int unit, const SpanQuantities
   const float vy = slopes.vy * height;
   const float a = ux * ux + vx * vx;
   const float b = uy * uy + vy * vy;
-  const bool undefined = std::isnan(a) || std::isnan(b);
-  const float squared = undefined ? 1e30f : minimum(maximum(a, b), 1e30f);
-  return 0.5f * portable_log2(squared);
+  return 0.5f * portable_log2(minimum(maximum(a, b), 1e30f));
 }
 
 }  // namespace barrido::raster::reference

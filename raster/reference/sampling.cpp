@@ -26,8 +26,7 @@ Place cube_place(const float (&direction)[3]) {
   const float major = face.major.of(direction);
   if (major == 0.0f) return {0, 0.5f, 0.5f};
   const float w = 1.0f / major;
-  return {face.face, sane_coordinate((face.sc.of(direction) * w + 1.0f) * 0.5f),
-          sane_coordinate((face.tc.of(direction) * w + 1.0f) * 0.5f)};
+  return {face.face, (face.sc.of(direction) * w + 1.0f) * 0.5f, (face.tc.of(direction) * w + 1.0f) * 0.5f};
 }
 
 Place place_of(TexcoordKind kind, const float (&coordinates)[3]) {
@@ -108,14 +107,14 @@ Neighbours linear_neighbours(float u, int size, Wrap wrap) {
 
 std::uint32_t high_half(std::uint32_t a, std::uint32_t b) { return (a * b) >> 16; }
 
-/// a·(1 − fraction/256) + b·(fraction/256) on 16-bit numbers.
-std::uint32_t blend16(std::uint32_t a, std::uint32_t b, std::uint32_t fraction) {
-  return high_half(a, 65535u - (fraction << 8)) + high_half(b, fraction << 8);
+/// From a (fraction 0) towards b (fraction 256) on 16-bit numbers; never outside the two.
+std::uint32_t mix(std::uint32_t a, std::uint32_t b, std::uint32_t fraction) {
+  return (a - high_half(a, fraction << 8)) + high_half(b, fraction << 8);
 }
 
-Filtered blend16(const Filtered& a, const Filtered& b, std::uint32_t fraction) {
+Filtered mix(const Filtered& a, const Filtered& b, std::uint32_t fraction) {
   Filtered result{};
-  for (std::size_t c = 0; c < 4; ++c) result[c] = blend16(a[c], b[c], fraction);
+  for (std::size_t c = 0; c < 4; ++c) result[c] = mix(a[c], b[c], fraction);
   return result;
 }
 
@@ -125,7 +124,7 @@ Filtered filter_row(const Texture& texture, int level, int face, const Neighbour
   const Filtered left = fetch(texture, level, face, across.first, j);
   // At first = width the weight is 0, and there is no texel behind the apron.
   const Filtered right = fetch(texture, level, face, std::min(across.first + 1, width), j);
-  if (texture.format() == TexelFormat::rgba16) return blend16(left, right, across.fraction);
+  if (texture.format() == TexelFormat::rgba16) return mix(left, right, across.fraction);
   Filtered row{};
   for (std::size_t c = 0; c < 4; ++c) {
     row[c] = left[c] * (256 - across.fraction) + right[c] * across.fraction;
@@ -140,7 +139,7 @@ Filtered sample_linear(const Texture& texture, int level, const Place& place, Wr
   const Filtered near_row = filter_row(texture, level, place.face, across, down.first);
   const Filtered far_row =
       filter_row(texture, level, place.face, across, std::min(down.first + 1, size.height));
-  return blend16(near_row, far_row, down.fraction);
+  return mix(near_row, far_row, down.fraction);
 }
 
 Filtered sample_level(const Texture& texture, int level, const Place& place, bool linear) {
@@ -172,9 +171,9 @@ Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lo
   const int far_level = std::min(near_level + 1, last);
   const float between = (bounded - static_cast<float>(near_level)) * 256.0f;
   const bool linear = is_linear_within_level(unit.min_filter);
-  return blend16(sample_level(texture, near_level, place, linear),
-                 sample_level(texture, far_level, place, linear),
-                 static_cast<std::uint32_t>(std::floor(between)));
+  return mix(sample_level(texture, near_level, place, linear),
+             sample_level(texture, far_level, place, linear),
+             static_cast<std::uint32_t>(std::floor(between)));
 }
 
 Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod) {

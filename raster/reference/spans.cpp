@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kHalfPixel = kSubpixelUnits / 2;
 
-/// Sizes of points and widths of lines end here: twice the largest frame.
-constexpr float kMaxSize = 32768.0f;
+/// Larger points and wider lines count as this.
+constexpr float kMaxSize = kMaxFrameSide;
 
 std::int64_t floor_divide(std::int64_t numerator, std::int64_t denominator) {
   if (denominator < 0) return floor_divide(-numerator, -denominator);
@@ -34,7 +34,7 @@ int last_center_to(int position) {
 }
 
 int integer_size(float size) {
-  const float bounded = size < kMaxSize ? size : kMaxSize;
+  const float bounded = size > kMaxSize ? kMaxSize : size;
   const float rounded = std::floor(bounded + 0.5f);
   return rounded > 1.0f ? static_cast<int>(rounded) : 1;
 }
