@@ -50,7 +50,9 @@ class Rasterizer {
   /// Appends a chunk to the drawing order.
   void submit(std::unique_ptr<BinnedChunk> chunk);
 
-  /// Draws all that was submitted into the framebuffer. More may be submitted afterwards, on top.
+  /// Draws all that was submitted into the framebuffer. More may be submitted afterwards, on top, when the
+  /// framebuffer keeps depth and, for rgba32f, float colours.
+  /// @throws std::logic_error when it does not and this is not the first flush after clear().
   void flush();
 
   const RasterStatistics& statistics() const;

@@ -52,6 +52,8 @@ struct TileWorkspace {
   FragmentBatch batch;
   /// Results of the texture unit that is being sampled.
   alignas(64) float texel[4][kBatchStride];
+  /// Primary colours, for texture environments that ask for them after the first unit.
+  alignas(64) float primary[4][kBatchStride];
   std::vector<SpanRecord> spans;
   std::vector<TilePrimitive> primitives;
   std::vector<VisibleRun> runs;

@@ -1,0 +1,166 @@
+// Texture environments: how the texels of a unit and the colours so far make the next colours (OpenGL 1.3,
+// tables 3.22 to 3.24). Enters and leaves: the colours of one batch of fragments.
+#include "raster/kernels/kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/combine.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::ScalableTag<float>;
+using V = hn::Vec<F>;
+
+HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
+HWY_INLINE V clamp01(V c) { return hn::Min(hn::Max(c, hn::Zero(F())), one()); }
+
+struct Rgba {
+  V c[4];
+};
+
+HWY_INLINE Rgba load(const float (*colors)[kBatchStride], int i) {
+  const F d;
+  return {{hn::Load(d, colors[0] + i), hn::Load(d, colors[1] + i), hn::Load(d, colors[2] + i),
+           hn::Load(d, colors[3] + i)}};
+}
+
+/// Arguments of GL_COMBINE.
+struct CombineInputs {
+  Rgba texture, constant, primary, previous;
+};
+
+HWY_INLINE V argument(const CombineInputs& in, CombineSource source, CombineOperand operand, int channel) {
+  const Rgba& from = source == CombineSource::texture    ? in.texture
+                     : source == CombineSource::constant ? in.constant
+                     : source == CombineSource::primary  ? in.primary
+                                                         : in.previous;
+  switch (operand) {
+    case CombineOperand::color:
+      return from.c[channel];
+    case CombineOperand::one_minus_color:
+      return hn::Sub(one(), from.c[channel]);
+    case CombineOperand::alpha:
+      return from.c[3];
+    case CombineOperand::one_minus_alpha:
+      break;
+  }
+  return hn::Sub(one(), from.c[3]);
+}
+
+HWY_INLINE V combine_channel(const CombineInputs& in, const CombineChannel& c, int channel) {
+  const auto a = [&](std::size_t n) HWY_ATTR { return argument(in, c.source[n], c.operand[n], channel); };
+  V result = a(0);
+  switch (c.function) {
+    case CombineFunction::replace:
+      break;
+    case CombineFunction::modulate:
+      result = hn::Mul(result, a(1));
+      break;
+    case CombineFunction::add:
+      result = hn::Add(result, a(1));
+      break;
+    case CombineFunction::add_signed:
+      result = hn::Sub(hn::Add(result, a(1)), hn::Set(F(), 0.5f));
+      break;
+    case CombineFunction::interpolate: {
+      const V weight = a(2);
+      result = hn::Add(hn::Mul(result, weight), hn::Mul(a(1), hn::Sub(one(), weight)));
+      break;
+    }
+    case CombineFunction::subtract:
+      result = hn::Sub(result, a(1));
+      break;
+  }
+  return hn::Mul(result, hn::Set(F(), c.scale));
+}
+
+/// The environments of OpenGL 1.0 and 1.1 for an RGBA texture.
+HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
+  Rgba out = p;
+  for (int c = 0; c < 3; ++c) {
+    switch (unit.env_mode) {
+      case TextureEnvMode::modulate:
+        out.c[c] = hn::Mul(p.c[c], t.c[c]);
+        break;
+      case TextureEnvMode::replace:
+        out.c[c] = t.c[c];
+        break;
+      case TextureEnvMode::add:
+        out.c[c] = hn::Add(p.c[c], t.c[c]);
+        break;
+      case TextureEnvMode::decal:
+        out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[3])), hn::Mul(t.c[c], t.c[3]));
+        break;
+      case TextureEnvMode::blend: {
+        const V constant = hn::Set(F(), unit.env_color[static_cast<std::size_t>(c)]);
+        out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
+        break;
+      }
+      case TextureEnvMode::combine:
+        break;
+    }
+  }
+  if (unit.env_mode == TextureEnvMode::replace) {
+    out.c[3] = t.c[3];
+  } else if (unit.env_mode != TextureEnvMode::decal) {
+    out.c[3] = hn::Mul(p.c[3], t.c[3]);
+  }
+  return out;
+}
+
+void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[kBatchStride],
+                    const float (*primary)[kBatchStride]) {
+  const F d;
+  const TextureUnit& unit = batch.state->texture_units[static_cast<std::size_t>(unit_number)];
+  const bool clamp = batch.state->clamp_colors;
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const Rgba previous = load(batch.color, i);
+    const Rgba texture = load(texel, i);
+    Rgba out;
+    if (unit.env_mode == TextureEnvMode::combine) {
+      const auto& k = unit.env_color;
+      const Rgba constant{{hn::Set(d, k[0]), hn::Set(d, k[1]), hn::Set(d, k[2]), hn::Set(d, k[3])}};
+      const CombineInputs in{texture, constant, load(primary, i), previous};
+      for (int c = 0; c < 4; ++c) {
+        out.c[c] = combine_channel(in, c < 3 ? unit.combine.rgb : unit.combine.alpha, c);
+      }
+    } else {
+      out = classic(unit, previous, texture);
+    }
+    for (int c = 0; c < 4; ++c) hn::Store(clamp ? clamp01(out.c[c]) : out.c[c], d, batch.color[c] + i);
+  }
+}
+
+void ClampColors(FragmentBatch& batch) {
+  const F d;
+  const auto clamp_array = [&](float* values) HWY_ATTR {
+    for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+      hn::Store(clamp01(hn::Load(d, values + i)), d, values + i);
+    }
+  };
+  for (auto& channel : batch.color) clamp_array(channel);
+  if (!batch.state->separate_specular) return;
+  for (auto& channel : batch.specular) clamp_array(channel);
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace barrido::raster {
+
+HWY_EXPORT(CombineTexture);
+HWY_EXPORT(ClampColors);
+
+void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
+                     const float (*primary)[kBatchStride]) {
+  HWY_DYNAMIC_DISPATCH(CombineTexture)(batch, unit, texel, primary);
+}
+
+void clamp_colors(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(ClampColors)(batch); }
+
+}  // namespace barrido::raster
+#endif

@@ -1,0 +1,293 @@
+// The end of the fragment's way: secondary colour, fog, alpha test, blending, stores (OpenGL 1.3,
+// sections 3.9 to 4.1); and the conversion of float colours for display. Enters: the colours of one batch.
+// Leaves: the tile's pixels.
+#include <algorithm>
+
+#include "raster/kernels/kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/write.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "raster/kernels/depth-inl.h"
+#include "raster/kernels/simd_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using F = hn::ScalableTag<float>;
+using V = hn::Vec<F>;
+using M = hn::Mask<F>;
+
+HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
+HWY_INLINE V clamp01(V c) { return hn::Min(hn::Max(c, hn::Zero(F())), one()); }
+
+struct Rgba {
+  V c[4];
+};
+
+void add_specular(FragmentBatch& batch) {
+  const F d;
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+      const V sum = hn::Add(hn::Load(d, batch.color[c] + i), hn::Load(d, batch.specular[c] + i));
+      hn::Store(batch.state->clamp_colors ? clamp01(sum) : sum, d, batch.color[c] + i);
+    }
+  }
+}
+
+HWY_INLINE V fog_factor(const FogState& fog, V distance) {
+  constexpr float kLog2E = 1.44269504f;
+  const F d;
+  V f = one();
+  switch (fog.mode) {
+    case FogMode::linear:
+      f = hn::Mul(hn::Sub(hn::Set(d, fog.end), distance), hn::Set(d, 1.0f / (fog.end - fog.start)));
+      break;
+    case FogMode::exp:
+      f = barrido::HWY_NAMESPACE::Exp2(d, hn::Mul(hn::Set(d, -fog.density * kLog2E), distance));
+      break;
+    case FogMode::exp2: {
+      const V t = hn::Mul(hn::Set(d, fog.density), distance);
+      f = barrido::HWY_NAMESPACE::Exp2(d, hn::Mul(hn::Mul(t, t), hn::Set(d, -kLog2E)));
+      break;
+    }
+  }
+  return clamp01(f);
+}
+
+void apply_fog(FragmentBatch& batch) {
+  const F d;
+  const FogState& fog = batch.state->fog;
+  const float* distances = batch.varying[batch.state->varyings.fog];
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const V f = fog_factor(fog, hn::Abs(hn::LoadU(d, distances + i)));
+    for (int c = 0; c < 3; ++c) {
+      const V fog_part = hn::Mul(hn::Sub(one(), f), hn::Set(d, fog.color[static_cast<std::size_t>(c)]));
+      hn::Store(hn::Add(hn::Mul(f, hn::Load(d, batch.color[c] + i)), fog_part), d, batch.color[c] + i);
+    }
+  }
+}
+
+/// Factor of one channel; `s` and `t` are source and destination.
+HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, const BlendState& blend,
+                          int channel) {
+  const F d;
+  const auto constant = [&](int c)
+                            HWY_ATTR { return hn::Set(d, blend.constant[static_cast<std::size_t>(c)]); };
+  switch (factor) {
+    case BlendFactor::zero:
+      return hn::Zero(d);
+    case BlendFactor::one:
+      return one();
+    case BlendFactor::src_color:
+      return s.c[channel];
+    case BlendFactor::one_minus_src_color:
+      return hn::Sub(one(), s.c[channel]);
+    case BlendFactor::dst_color:
+      return t.c[channel];
+    case BlendFactor::one_minus_dst_color:
+      return hn::Sub(one(), t.c[channel]);
+    case BlendFactor::src_alpha:
+      return s.c[3];
+    case BlendFactor::one_minus_src_alpha:
+      return hn::Sub(one(), s.c[3]);
+    case BlendFactor::dst_alpha:
+      return t.c[3];
+    case BlendFactor::one_minus_dst_alpha:
+      return hn::Sub(one(), t.c[3]);
+    case BlendFactor::constant_color:
+      return constant(channel);
+    case BlendFactor::one_minus_constant_color:
+      return hn::Sub(one(), constant(channel));
+    case BlendFactor::constant_alpha:
+      return constant(3);
+    case BlendFactor::one_minus_constant_alpha:
+      return hn::Sub(one(), constant(3));
+    case BlendFactor::src_alpha_saturate:
+      break;
+  }
+  return channel == 3 ? one() : hn::Min(s.c[3], hn::Sub(one(), t.c[3]));
+}
+
+HWY_INLINE V blend_channel(const BlendState& blend, const Rgba& s, const Rgba& t, int channel) {
+  const V source = s.c[channel];
+  const V destination = t.c[channel];
+  if (blend.equation == BlendEquation::min) return hn::Min(source, destination);
+  if (blend.equation == BlendEquation::max) return hn::Max(source, destination);
+  const BlendFactor fs = channel == 3 ? blend.src_alpha : blend.src_rgb;
+  const BlendFactor fd = channel == 3 ? blend.dst_alpha : blend.dst_rgb;
+  const V a = hn::Mul(source, blend_factor(fs, s, t, blend, channel));
+  const V b = hn::Mul(destination, blend_factor(fd, s, t, blend, channel));
+  switch (blend.equation) {
+    case BlendEquation::subtract:
+      return hn::Sub(a, b);
+    case BlendEquation::reverse_subtract:
+      return hn::Sub(b, a);
+    default:
+      return hn::Add(a, b);
+  }
+}
+
+HWY_INLINE auto pack8(const Rgba& color) {
+  const hn::RebindToSigned<F> di;
+  const auto byte = [&](int c) HWY_ATTR {
+    return hn::ConvertTo(di, hn::Add(hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f)), hn::Set(F(), 0.5f)));
+  };
+  return hn::Or(hn::Or(byte(0), hn::ShiftLeft<8>(byte(1))),
+                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
+}
+
+template <class VI>
+HWY_INLINE Rgba unpack8(VI packed) {
+  const F d;
+  const hn::RebindToSigned<F> di;
+  const auto channel = [&](auto shifted) HWY_ATTR {
+    return hn::Mul(hn::ConvertTo(d, hn::And(shifted, hn::Set(di, 255))), hn::Set(d, 1.0f / 255.0f));
+  };
+  return {{channel(packed), channel(hn::ShiftRight<8>(packed)), channel(hn::ShiftRight<16>(packed)),
+           channel(hn::ShiftRight<24>(packed))}};
+}
+
+/// The 8-bit surface: rows of packed pixels.
+struct Surface8 {
+  std::int32_t* pixels;
+  explicit Surface8(TileSurface& s) : pixels(reinterpret_cast<std::int32_t*>(s.color8)) {}
+
+  HWY_INLINE Rgba read(int at) const { return unpack8(hn::LoadU(hn::RebindToSigned<F>(), pixels + at)); }
+  HWY_INLINE void write(const Rgba& color, M mask, const std::array<bool, 4>& channels, int at) const {
+    const hn::RebindToSigned<F> di;
+    auto packed = pack8(color);
+    if (channels != std::array{true, true, true, true}) {
+      std::uint32_t keep = 0;
+      for (std::size_t c = 0; c < 4; ++c) keep |= channels[c] ? 0u : 0xffu << (8 * c);
+      const auto kept = hn::Set(di, static_cast<std::int32_t>(keep));
+      packed = hn::Or(hn::AndNot(kept, packed), hn::And(kept, hn::LoadU(di, pixels + at)));
+    }
+    hn::BlendedStore(packed, hn::RebindMask(di, mask), di, pixels + at);
+  }
+  static constexpr bool kClampsSource = true;
+};
+
+/// The float surface: one plane a channel.
+struct SurfaceFloat {
+  float (*planes)[kTilePixels + kTilePadding];
+  explicit SurfaceFloat(TileSurface& s) : planes(s.color_float) {}
+
+  HWY_INLINE Rgba read(int at) const {
+    const F d;
+    return {{hn::LoadU(d, planes[0] + at), hn::LoadU(d, planes[1] + at), hn::LoadU(d, planes[2] + at),
+             hn::LoadU(d, planes[3] + at)}};
+  }
+  HWY_INLINE void write(const Rgba& color, M mask, const std::array<bool, 4>& channels, int at) const {
+    for (int c = 0; c < 4; ++c) {
+      if (channels[static_cast<std::size_t>(c)]) hn::BlendedStore(color.c[c], mask, F(), planes[c] + at);
+    }
+  }
+  static constexpr bool kClampsSource = false;
+};
+
+/// Alpha test of the fragments from i on; those that pass write their depth, which was left open until now.
+HWY_INLINE M alpha_test(const FragmentBatch& batch, int i, M mask, float* depth) {
+  const F d;
+  const FragmentState& state = *batch.state;
+  const V alpha = hn::LoadU(d, batch.color[3] + i);
+  with_compare(state.alpha_test.compare, [&]<Compare kCompare>() HWY_ATTR {
+    mask = hn::And(mask, compare<kCompare>(alpha, hn::Set(d, state.alpha_test.reference)));
+  });
+  if (state.depth.test && state.depth.write) hn::BlendedStore(hn::LoadU(d, batch.depth + i), mask, d, depth);
+  return mask;
+}
+
+template <class Surface>
+void store_runs(const FragmentBatch& batch, TileSurface& tile) {
+  const F d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const FragmentState& state = *batch.state;
+  const Surface surface(tile);
+  for (int r = 0; r < batch.run_count; ++r) {
+    const FragmentRun& run = batch.runs[r];
+    const int pixel = run.y * kTileWidth + run.x;
+    for (int i = run.begin; i < run.end; i += lanes) {
+      const int at = pixel + (i - run.begin);
+      M mask = hn::FirstN(d, static_cast<std::size_t>(run.end - i));
+      if (state.alpha_test.enabled) mask = alpha_test(batch, i, mask, tile.depth + at);
+      Rgba color{{hn::LoadU(d, batch.color[0] + i), hn::LoadU(d, batch.color[1] + i),
+                  hn::LoadU(d, batch.color[2] + i), hn::LoadU(d, batch.color[3] + i)}};
+      if (state.blend.enabled) {
+        Rgba source = color;
+        if constexpr (Surface::kClampsSource) {
+          for (V& c : source.c) c = clamp01(c);
+        }
+        const Rgba destination = surface.read(at);
+        for (int c = 0; c < 4; ++c) color.c[c] = blend_channel(state.blend, source, destination, c);
+      }
+      surface.write(color, mask, state.color_mask, at);
+    }
+  }
+}
+
+void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
+  if (batch.state->separate_specular) add_specular(batch);
+  if (batch.state->fog.enabled) apply_fog(batch);
+  if (surface.format == ColorFormat::rgba8) {
+    store_runs<Surface8>(batch, surface);
+  } else {
+    store_runs<SurfaceFloat>(batch, surface);
+  }
+}
+
+/// The transfer function of IEC 61966-2-1.
+HWY_INLINE V encode_srgb(V c) {
+  const F d;
+  const V power = barrido::HWY_NAMESPACE::Pow(d, c, 1.0f / 2.4f);
+  const V curve = hn::Sub(hn::Mul(hn::Set(d, 1.055f), power), hn::Set(d, 0.055f));
+  return hn::IfThenElse(hn::Le(c, hn::Set(d, 0.0031308f)), hn::Mul(c, hn::Set(d, 12.92f)), curve);
+}
+
+void DisplayRow(const TileSurface& surface, int row, int count, const DisplayTransform& display,
+                std::uint32_t* out) {
+  const F d;
+  const hn::RebindToSigned<F> di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  alignas(64) std::int32_t packed[kTileWidth];
+  for (int i = 0; i < count; i += lanes) {
+    const int at = row * kTileWidth + i;
+    Rgba color;
+    for (int c = 0; c < 3; ++c) {
+      V v = hn::Mul(hn::Load(d, surface.color_float[c] + at), hn::Set(d, display.exposure_scale));
+      if (display.tone_map == ToneMap::reinhard) {
+        v = hn::Max(v, hn::Zero(d));
+        v = hn::Div(v, hn::Add(one(), v));
+      }
+      v = clamp01(v);
+      color.c[c] = display.srgb_encode ? encode_srgb(v) : v;
+    }
+    color.c[3] = hn::Load(d, surface.color_float[3] + at);
+    hn::Store(pack8(color), di, packed + i);
+  }
+  std::copy_n(reinterpret_cast<const std::uint32_t*>(packed), count, out);
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace barrido::raster {
+
+HWY_EXPORT(WriteFragments);
+HWY_EXPORT(DisplayRow);
+
+void write_fragments(FragmentBatch& batch, TileSurface& surface) {
+  HWY_DYNAMIC_DISPATCH(WriteFragments)(batch, surface);
+}
+
+void display_row(const TileSurface& surface, int row, int count, const DisplayTransform& display,
+                 std::uint32_t* out) {
+  HWY_DYNAMIC_DISPATCH(DisplayRow)(surface, row, count, display, out);
+}
+
+}  // namespace barrido::raster
+#endif

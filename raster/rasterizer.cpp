@@ -1,0 +1,175 @@
+// The frame from its chunks: bins them on submission, then gives each tile to one thread. Enters: chunks in
+// drawing order. Leaves: pixels in the framebuffer, the same whatever the number of threads.
+#include "raster/rasterizer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "raster/binning.h"
+#include "raster/kernels/kernels.h"
+
+namespace barrido::raster {
+namespace {
+
+std::uint8_t to_byte(float c) {
+  return static_cast<std::uint8_t>(std::min(std::max(c, 0.0f), 1.0f) * 255.0f + 0.5f);
+}
+
+std::uint32_t pack(const std::array<float, 4>& c) {
+  return to_byte(c[0]) | static_cast<std::uint32_t>(to_byte(c[1])) << 8 |
+         static_cast<std::uint32_t>(to_byte(c[2])) << 16 | static_cast<std::uint32_t>(to_byte(c[3])) << 24;
+}
+
+void add(RasterStatistics& sum, const RasterStatistics& part) {
+  sum.spans += part.spans;
+  sum.fragments_covered += part.fragments_covered;
+  sum.fragments_shaded += part.fragments_shaded;
+  sum.texel_fetches += part.texel_fetches;
+}
+
+}  // namespace
+
+struct Rasterizer::Implementation {
+  Framebuffer& frame;
+  RasterizerOptions options;
+  TileGrid grid;
+  ClearValues clear_values;
+  bool starts_clear = true;  ///< The next flush starts from clear_values, else from the framebuffer.
+  std::vector<std::unique_ptr<BinnedChunk>> chunks;
+  tbb::enumerable_thread_specific<std::unique_ptr<TileWorkspace>> workspaces;
+  RasterStatistics statistics;
+
+  Implementation(Framebuffer& f, const RasterizerOptions& o)
+      : frame(f), options(o), grid(f.width(), f.height()) {}
+
+  TileWorkspace& workspace() {
+    auto& local = workspaces.local();
+    if (!local) {
+      local = std::make_unique<TileWorkspace>();
+      local->surface.format = frame.options().format;
+    }
+    return *local;
+  }
+
+  /// Whether the framebuffer holds all that a tile needs to go on from it.
+  bool can_continue() const {
+    return !frame.depth().empty() && (!is_float() || !frame.color_float().empty());
+  }
+
+  bool is_float() const { return frame.options().format == ColorFormat::rgba32f; }
+
+  void clear_tile(TileSurface& tile) const {
+    if (is_float()) {
+      for (std::size_t c = 0; c < 4; ++c)
+        std::fill_n(tile.color_float[c], kTilePixels, clear_values.color[c]);
+    } else {
+      std::fill_n(tile.color8, kTilePixels, pack(clear_values.color));
+    }
+    std::fill_n(tile.depth, kTilePixels, clear_values.depth);
+  }
+
+  void load_tile(TileSurface& tile, const TileJob& job) const {
+    for (int row = 0; row < job.height; ++row) {
+      const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
+      const auto count = static_cast<std::size_t>(job.width);
+      if (is_float()) {
+        for (std::size_t i = 0; i < count * 4; ++i) {
+          tile.color_float[i % 4][static_cast<std::size_t>(row) * kTileWidth + i / 4] =
+              frame.color_float()[at * 4 + i];
+        }
+      } else {
+        std::memcpy(tile.color8 + row * kTileWidth, frame.color8().data() + at,
+                    count * sizeof(std::uint32_t));
+      }
+      std::memcpy(tile.depth + row * kTileWidth, frame.depth().data() + at, count * sizeof(float));
+    }
+  }
+
+  void store_tile(const TileSurface& tile, const TileJob& job) const {
+    for (int row = 0; row < job.height; ++row) {
+      const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
+      const auto count = static_cast<std::size_t>(job.width);
+      std::uint32_t* color8 = frame.color8().data() + at;
+      if (is_float()) {
+        display_row(tile, row, job.width, frame.options().display, color8);
+        for (std::size_t i = 0; !frame.color_float().empty() && i < count * 4; ++i) {
+          frame.color_float()[at * 4 + i] =
+              tile.color_float[i % 4][static_cast<std::size_t>(row) * kTileWidth + i / 4];
+        }
+      } else {
+        std::memcpy(color8, tile.color8 + row * kTileWidth, count * sizeof(std::uint32_t));
+      }
+      if (!frame.depth().empty()) {
+        std::memcpy(frame.depth().data() + at, tile.depth + row * kTileWidth, count * sizeof(float));
+      }
+    }
+  }
+
+  void draw_tile(int tile) {
+    TileWorkspace& w = workspace();
+    w.chunks.clear();
+    TileJob job;
+    job.column = tile % grid.columns;
+    job.row = tile / grid.columns;
+    job.width = std::min(kTileWidth, grid.frame_width - job.column * kTileWidth);
+    job.height = std::min(kTileHeight, grid.frame_height - job.row * kTileHeight);
+    for (const auto& chunk : chunks) {
+      if (!chunk->primitives_in(job.column, job.row).empty()) w.chunks.push_back(chunk.get());
+    }
+    if (!starts_clear && w.chunks.empty()) return;
+    job.chunks = &w.chunks;
+    job.visibility_first = options.visibility_first;
+    if (starts_clear) {
+      clear_tile(w.surface);
+    } else {
+      load_tile(w.surface, job);
+    }
+    rasterize_tile(job, w);
+    store_tile(w.surface, job);
+  }
+};
+
+Rasterizer::Rasterizer(Framebuffer& framebuffer, const RasterizerOptions& options)
+    : implementation_(std::make_unique<Implementation>(framebuffer, options)) {}
+Rasterizer::~Rasterizer() = default;
+
+void Rasterizer::clear(const ClearValues& values) {
+  implementation_->chunks.clear();
+  implementation_->clear_values = values;
+  implementation_->starts_clear = true;
+}
+
+std::unique_ptr<BinnedChunk> Rasterizer::bin(PrimitiveChunk&& chunk) const {
+  return std::make_unique<BinnedChunk>(std::move(chunk), implementation_->grid);
+}
+
+void Rasterizer::submit(std::unique_ptr<BinnedChunk> chunk) {
+  implementation_->statistics.primitives += chunk->chunk().primitives.size();
+  implementation_->chunks.push_back(std::move(chunk));
+}
+
+void Rasterizer::flush() {
+  Implementation& r = *implementation_;
+  if (!r.starts_clear && !r.can_continue()) {
+    throw std::logic_error("drawing on top of a finished frame needs its depth and float colours kept");
+  }
+  tbb::parallel_for(tbb::blocked_range<int>(0, r.grid.count(), 1),
+                    [&r](const tbb::blocked_range<int>& tiles) {
+                      for (int tile = tiles.begin(); tile < tiles.end(); ++tile) r.draw_tile(tile);
+                    });
+  for (auto& workspace : r.workspaces) {
+    add(r.statistics, workspace->statistics);
+    workspace->statistics = {};
+  }
+  r.chunks.clear();
+  r.starts_clear = false;
+}
+
+const RasterStatistics& Rasterizer::statistics() const { return implementation_->statistics; }
+
+}  // namespace barrido::raster

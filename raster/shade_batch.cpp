@@ -1,0 +1,51 @@
+// The fragment stage on one page: what happens to a batch of fragments between interpolation and the frame.
+#include <cstring>
+
+#include "raster/kernels/kernels.h"
+
+namespace barrido::raster {
+namespace {
+
+/// The primary colour where no illumination makes it: interpolated, or already filled in when flat.
+void take_varying_colors(FragmentBatch& batch) {
+  const VaryingLayout& layout = batch.state->varyings;
+  const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(batch.count);
+  for (int c = 0; layout.color != kAbsent && c < 4; ++c) {
+    std::memcpy(batch.color[c], batch.varying[layout.color + c], bytes);
+  }
+  for (int c = 0; layout.specular != kAbsent && c < 3; ++c) {
+    std::memcpy(batch.specular[c], batch.varying[layout.specular + c], bytes);
+  }
+}
+
+bool reads_primary(const FragmentState& state) {
+  for (const TextureUnit& unit : state.texture_units) {
+    if (unit.texture != nullptr && unit.env_mode == TextureEnvMode::combine) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void shade_batch(TileWorkspace& workspace) {
+  FragmentBatch& batch = workspace.batch;
+  const FragmentState& state = *batch.state;
+  if (state.illumination.function != nullptr) {
+    state.illumination.function(state.illumination.parameters, batch);
+  } else {
+    take_varying_colors(batch);
+  }
+  if (state.clamp_colors) clamp_colors(batch);
+  if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+    if (state.texture_units[static_cast<std::size_t>(unit)].texture == nullptr) continue;
+    workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.texel);
+    combine_texture(batch, unit, workspace.texel, workspace.primary);
+  }
+  write_fragments(batch, workspace.surface);
+  workspace.statistics.fragments_shaded += static_cast<std::uint64_t>(batch.count);
+  batch.count = 0;
+  batch.run_count = 0;
+}
+
+}  // namespace barrido::raster
