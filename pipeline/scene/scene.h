@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,6 +45,32 @@ class FloatArray {
  private:
   std::shared_ptr<const void> owner_;
   std::span<const float> values_;
+};
+
+/// Vertex indices, shared like a FloatArray: many primitives of a file may use the same ones.
+class IndexArray {
+ public:
+  IndexArray() = default;
+  IndexArray(std::vector<std::uint32_t> values)
+      : owner_(std::make_shared<const std::vector<std::uint32_t>>(std::move(values))) {
+    const auto& owned = *static_cast<const std::vector<std::uint32_t>*>(owner_.get());
+    values_ = {owned.data(), owned.size()};
+  }
+  IndexArray(std::initializer_list<std::uint32_t> values) : IndexArray(std::vector<std::uint32_t>(values)) {}
+  IndexArray(std::span<const std::uint32_t> view, std::shared_ptr<const void> owner)
+      : owner_(std::move(owner)), values_(view) {}
+
+  bool empty() const { return values_.empty(); }
+  std::size_t size() const { return values_.size(); }
+  const std::uint32_t* data() const { return values_.data(); }
+  const std::uint32_t* begin() const { return values_.data(); }
+  const std::uint32_t* end() const { return values_.data() + values_.size(); }
+  std::uint32_t operator[](std::size_t i) const { return values_[i]; }
+  std::span<const std::uint32_t> values() const { return values_; }
+
+ private:
+  std::shared_ptr<const void> owner_;
+  std::span<const std::uint32_t> values_;
 };
 
 /// A decoded picture: straight RGBA, 8 bits, top row first (row 0 is t = 0, glTF's convention).
@@ -113,8 +140,8 @@ struct Primitive {
   std::vector<std::array<std::uint16_t, 4>> joints;
   FloatArray weights;  ///< 4 floats, sum 1
   std::vector<MorphTarget> morph_targets;
-  std::vector<std::uint32_t> indices;  ///< Each below vertex_count; empty: vertices in order.
-  int material = kNone;                ///< kNone: glTF's default material
+  IndexArray indices;    ///< Each below vertex_count; empty: vertices in order.
+  int material = kNone;  ///< kNone: glTF's default material
 };
 
 struct Mesh {
