@@ -183,4 +183,12 @@ struct FragmentState {
   Scissor scissor;
 };
 
+/// Whether a texture unit takes part: it has a texture, and coordinates of the texture's kind.
+inline bool is_active(const FragmentState& state, int unit) {
+  const auto u = static_cast<std::size_t>(unit);
+  const Texture* texture = state.texture_units[u].texture;
+  return texture != nullptr && state.varyings.texcoord[u] != kAbsent &&
+         texture->is_cube() == (state.varyings.texcoord_kind[u] == TexcoordKind::cube);
+}
+
 }  // namespace barrido::raster

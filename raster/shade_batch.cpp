@@ -38,7 +38,7 @@ void shade_batch(TileWorkspace& workspace) {
   if (state.clamp_colors) clamp_colors(batch);
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (state.texture_units[static_cast<std::size_t>(unit)].texture == nullptr) continue;
+    if (!is_active(state, unit)) continue;
     workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.texel);
     combine_texture(batch, unit, workspace.texel, workspace.primary);
   }

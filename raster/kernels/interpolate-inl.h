@@ -129,10 +129,10 @@ HWY_INLINE V lod_cube(const Differential<V>& s, const Differential<V>& t, const 
       derivative(pick(r.dy, s.dy, s.dy), u, my), derivative(pick(t.dy, r.dy, t.dy), v, my));
 }
 
+/// Whether the unit's filters depend on the level of detail.
 inline bool needs_lod(const TextureUnit& unit) {
-  const bool one_filter = (unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
-                          (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear);
-  return unit.texture != nullptr && !one_filter;
+  return !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
+           (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
 }
 
 /// λ per group of four pixels, then spread over the run's fragments.
@@ -184,15 +184,22 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
   for (int i = 0; i < count; ++i) out[i] = group_lod[((x + i) >> 2) - (first_group >> 2)];
 }
 
-/// Colours of a flat primitive, the same for every fragment.
-HWY_INLINE void fill_flat(const FlatColors& flat, bool specular, int count, FragmentBatch& batch, int at) {
+/// One value for each of `channels` arrays, for `count` fragments from `at` on.
+HWY_INLINE void fill(const float* values, int channels, int count, float (*out)[kBatchStride], int at) {
   const hn::ScalableTag<float> d;
-  const auto fill = [&](float* out, float value) HWY_ATTR {
-    const auto v = hn::Set(d, value);
-    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(v, d, out + at + i);
-  };
-  for (int c = 0; c < 4; ++c) fill(batch.color[c], flat.color[c]);
-  for (int c = 0; specular && c < 3; ++c) fill(batch.specular[c], flat.specular[c]);
+  for (int c = 0; c < channels; ++c) {
+    const auto v = hn::Set(d, values[c]);
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(v, d, out[c] + at + i);
+  }
+}
+
+/// The colours that no varying carries are the same for every fragment of the primitive.
+HWY_INLINE void fill_flat(const FlatColors& flat, const FragmentState& state, int count, FragmentBatch& batch,
+                          int at) {
+  if (state.varyings.color == kAbsent) fill(flat.color, 4, count, batch.color, at);
+  if (state.varyings.specular == kAbsent && state.separate_specular) {
+    fill(flat.specular, 3, count, batch.specular, at);
+  }
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

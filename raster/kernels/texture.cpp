@@ -229,11 +229,10 @@ HWY_INLINE hn::Vec<U16> as_u16(hn::Vec<U32> v) { return hn::BitCast(U16(), v); }
 /// The same 16-bit number in both halves of each 32-bit lane.
 HWY_INLINE hn::Vec<U16> in_both_halves(hn::Vec<U32> v) { return as_u16(hn::Or(v, hn::ShiftLeft<16>(v))); }
 
-/// ((a·(65535 − 256·weight)) >> 16) + ((b·256·weight) >> 16) per 16-bit lane.
-HWY_INLINE hn::Vec<U16> blend_high(hn::Vec<U16> a, hn::Vec<U16> b, hn::Vec<U16> weight) {
-  const auto wb = hn::ShiftLeft<8>(weight);
-  const auto wa = hn::Sub(hn::Set(U16(), std::uint16_t{65535}), wb);
-  return hn::Add(hn::MulHigh(a, wa), hn::MulHigh(b, wb));
+/// (a − ((a·256·weight) >> 16)) + ((b·256·weight) >> 16) per 16-bit lane: a when the weight is 0 or a = b.
+HWY_INLINE hn::Vec<U16> mix(hn::Vec<U16> a, hn::Vec<U16> b, hn::Vec<U16> weight) {
+  const auto w = hn::ShiftLeft<8>(weight);
+  return hn::Add(hn::Sub(a, hn::MulHigh(a, w)), hn::MulHigh(b, w));
 }
 
 /// Texels of rgba8 textures: each pair of horizontal neighbours is one 64-bit load.
@@ -272,8 +271,8 @@ void filter_rgba8(const std::uint8_t* texels, const Footprint& f, int count, boo
     };
     const auto red_blue = [&](hn::Vec<U32> t) HWY_ATTR { return hn::And(t, mask); };
     const auto green_alpha = [&](hn::Vec<U32> t) HWY_ATTR { return hn::And(hn::ShiftRight<8>(t), mask); };
-    hn::Store(as_u32(blend_high(across(lower, red_blue), across(upper, red_blue), wy)), du, out.red_blue + i);
-    hn::Store(as_u32(blend_high(across(lower, green_alpha), across(upper, green_alpha), wy)), du,
+    hn::Store(as_u32(mix(across(lower, red_blue), across(upper, red_blue), wy)), du, out.red_blue + i);
+    hn::Store(as_u32(mix(across(lower, green_alpha), across(upper, green_alpha), wy)), du,
               out.green_alpha + i);
   }
 }
@@ -303,8 +302,8 @@ void filter_rgba16(const std::uint8_t* texels, const Footprint& f, int count, bo
       if (!linear) return as_u16(words(0, second));
       const auto wx = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_x) + i));
       const auto wy = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_y) + i));
-      return blend_high(blend_high(as_u16(words(0, second)), as_u16(words(1, second)), wx),
-                        blend_high(as_u16(words(2, second)), as_u16(words(3, second)), wx), wy);
+      return mix(mix(as_u16(words(0, second)), as_u16(words(1, second)), wx),
+                 mix(as_u16(words(2, second)), as_u16(words(3, second)), wx), wy);
     };
     const auto red_green = as_u32(filtered(false));
     const auto blue_alpha = as_u32(filtered(true));
@@ -373,7 +372,7 @@ void blend_levels(Filtered& lower, const Filtered& upper, const std::int32_t* we
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(du))) {
     const auto w = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(weight) + i));
     const auto blend = [&](std::uint32_t* a, const std::uint32_t* b) HWY_ATTR {
-      hn::Store(as_u32(blend_high(as_u16(hn::Load(du, a + i)), as_u16(hn::Load(du, b + i)), w)), du, a + i);
+      hn::Store(as_u32(mix(as_u16(hn::Load(du, a + i)), as_u16(hn::Load(du, b + i)), w)), du, a + i);
     };
     blend(lower.red_blue, upper.red_blue);
     blend(lower.green_alpha, upper.green_alpha);

@@ -41,6 +41,12 @@ bool is_opaque(const FragmentState& state) {
          state.color_mask == std::array{true, true, true, true};
 }
 
+/// The colours of a flat primitive; black and transparent where the chunk has none.
+const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
+  static constexpr FlatColors kNone{};
+  return chunk.flat.empty() ? kNone : chunk.flat[p.flat_and_facing & ~kBackFacing];
+}
+
 /// Calls visit(row, first, end) for each span of a primitive in the tile.
 template <class Visit>
 HWY_INLINE void for_each_span(const PrimitiveChunk& chunk, const PrimitiveRecord& p, const TileArea& tile,
@@ -319,13 +325,11 @@ class TileRasterizer {
       interpolate_varyings(span_, layout, begin, count, batch, at);
       if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
       for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-        if (needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
+        if (is_active(state, unit) && needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
           interpolate_lod(span_, state, unit, begin, count, batch, at);
         }
       }
-      if (layout.color == kAbsent && state.illumination.function == nullptr && !chunk.flat.empty()) {
-        fill_flat(chunk.flat[p.flat_and_facing & ~kBackFacing], state.separate_specular, count, batch, at);
-      }
+      if (state.illumination.function == nullptr) fill_flat(flat_colors(chunk, p), state, count, batch, at);
       batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
                                        static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
       batch.count = at + count;
