@@ -1,0 +1,64 @@
+#include "models/tool/scene_parts.h"
+#include "models/tool/scenes.h"
+#include "models/tool/teapot.h"
+
+namespace barrido::models {
+namespace {
+
+/// The classical three-quarter view of the teapot.
+void add_teapot_camera(GlbWriter& writer) {
+  add_camera(writer, {{2.6, 4.2, 8.6}, {0.25, 1.5, 0}, 0.24, 0.5, 50.0});
+}
+
+SceneFile make_plain_teapot(int cells) {
+  GlbWriter writer("Utah teapot");
+  Json material = make_material("porcelain", {0.70, 0.36, 0.20}, 0.0, 0.28);
+  material["doubleSided"] = true;  // The lid does not quite close the body.
+  const int mesh = writer.add_mesh("teapot", make_teapot(cells), writer.add_material(std::move(material)));
+  writer.add_node({{"name", "teapot"}, {"mesh", mesh}});
+  add_teapot_camera(writer);
+  return {"teapot.glb", writer.bytes()};
+}
+
+SceneFile make_patch_teapot(const Bytes& picture, int cells) {
+  GlbWriter writer("Utah teapot, one picture a patch");
+  Json material = make_textured_material("patches", writer.add_texture("patch", picture), 0.0, 0.4);
+  material["doubleSided"] = true;
+  const int mesh = writer.add_mesh("teapot", make_teapot(cells), writer.add_material(std::move(material)));
+  writer.add_node({{"name", "teapot"}, {"mesh", mesh}});
+  add_teapot_camera(writer);
+  return {"teapot_patches.glb", writer.bytes()};
+}
+
+/// k_a, k_d, k_s and n as in the course's figures, under one light from the upper left.
+SceneFile make_lit_sphere() {
+  GlbWriter writer("Sphere under one light");
+  constexpr Vec3 kColor{0.2, 0.35, 0.8};
+  const ExactMaterial exact{kColor, kColor, {0.6, 0.6, 0.6}, 30.0};
+  const int material = writer.add_material(make_exact_material("course", exact));
+  const int mesh = writer.add_mesh("sphere", make_sphere(1.0, 24, 12), material);
+  writer.add_node({{"name", "sphere"}, {"mesh", mesh}});
+  add_camera(writer, {{0, 0, 6}, {0, 0, 0}, 0.22, 0.5, 50.0});
+  add_exact_point_light(writer, "light", {-4, 5, 6}, {1, 1, 1}, 0.9, {1, 0, 0});
+  writer.set_scene_extras({{"ambient", json_of({0.15, 0.15, 0.15})}});
+  return {"sphere.glb", writer.bytes()};
+}
+
+SceneFile make_brick_torus(const Bytes& picture) {
+  GlbWriter writer("Torus of bricks");
+  const int material =
+      writer.add_material(make_textured_material("bricks", writer.add_texture("bricks", picture), 0.0, 0.7));
+  const int mesh = writer.add_mesh("torus", make_torus(1.0, 0.42, 64, 32, {6, 3}), material);
+  writer.add_node({{"name", "torus"}, {"mesh", mesh}});
+  add_camera(writer, {{0, 3.2, 4.4}, {0, -0.05, 0}, 0.30, 0.5, 50.0});
+  return {"torus.glb", writer.bytes()};
+}
+
+}  // namespace
+
+std::vector<SceneFile> make_object_scenes(const Textures& textures, int teapot_cells) {
+  return {make_plain_teapot(teapot_cells), make_patch_teapot(textures.at("patch"), teapot_cells),
+          make_lit_sphere(), make_brick_torus(textures.at("bricks"))};
+}
+
+}  // namespace barrido::models
