@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -70,7 +71,7 @@ struct SpanDepth {
 /// Depth of the pixels from column x on.
 template <class D>
 HWY_INLINE auto depth_at(D d, const SpanDepth& depth, int x) {
-  const auto k = hn::Iota(d, static_cast<float>(x - depth.anchor));
+  const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
   const auto z = hn::Add(hn::Set(d, depth.row), hn::Mul(hn::Set(d, depth.slope), k));
   return hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
 }
@@ -79,7 +80,7 @@ HWY_INLINE auto depth_at(D d, const SpanDepth& depth, int x) {
 template <class D>
 HWY_INLINE auto columns_mask(D d, int x, int begin, int end) {
   const hn::RebindToSigned<D> di;
-  const auto column = hn::Iota(di, x);
+  const auto column = barrido::HWY_NAMESPACE::lanes_from(di, x);
   return hn::RebindMask(d, hn::And(hn::Gt(column, hn::Set(di, begin - 1)), hn::Lt(column, hn::Set(di, end))));
 }
 

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/planes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 #include "raster/tile.h"
@@ -37,7 +38,7 @@ HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const Varying
   const int lanes = static_cast<int>(hn::Lanes(d));
   const float* slope = span.planes->slope_x;
   for (int i = 0; i < count; i += lanes) {
-    const auto k = hn::Iota(d, static_cast<float>(x + i - span.anchor));
+    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
     const auto linear = [&](int quantity) HWY_ATTR {
       return hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, slope[quantity]), k));
     };
@@ -58,7 +59,7 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
                                   int at) {
   const hn::ScalableTag<float> d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto k = hn::Iota(d, static_cast<float>(x + i - span.anchor));
+    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
     const auto z = hn::Add(hn::Set(d, span.row[kRecordDepth]),
                            hn::Mul(hn::Set(d, span.planes->slope_x[kRecordDepth]), k));
     hn::StoreU(hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f)), d, batch.depth + at + i);
@@ -149,8 +150,9 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
   const int groups = ((x + count - 1 - first_group) >> 2) + 1;
   alignas(64) float group_lod[kTileWidth / 4 + kBatchPadding];
   for (int g = 0; g < groups; g += lanes) {
-    auto center = hn::Add(hn::Mul(hn::Iota(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
-                          hn::Set(d, static_cast<float>(first_group) + 1.5f));
+    auto center =
+        hn::Add(hn::Mul(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
+                hn::Set(d, static_cast<float>(first_group) + 1.5f));
     center = hn::Min(hn::Max(center, hn::Set(d, static_cast<float>(span.anchor))),
                      hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));

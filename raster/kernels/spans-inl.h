@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -95,7 +96,7 @@ HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, T
   const auto high = hn::Set(di, tile.x + tile.width);
   const auto last_row = hn::Set(d, static_cast<double>(spans.row_end - 1));
   for (int r = spans.row_begin; r < spans.row_end; r += static_cast<int>(hn::Lanes(d))) {
-    const auto row = hn::Min(hn::Iota(d, static_cast<double>(r)), last_row);
+    const auto row = hn::Min(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<double>(r)), last_row);
     const auto center = hn::Add(hn::Mul(hn::Add(row, hn::Set(d, static_cast<double>(tile.y))),
                                         hn::Set(d, static_cast<double>(kSubpixelUnits))),
                                 hn::Set(d, kSubpixelUnits / 2.0));

@@ -279,7 +279,7 @@ class TileRasterizer {
     const auto same = hn::Set(du, visible[x]);
     for (int i = x & ~(lanes - 1); i < width; i += lanes) {
       const auto differs = hn::And(hn::Ne(hn::Load(du, visible + i), same),
-                                   hn::Not(hn::FirstN(du, static_cast<std::size_t>(std::max(x - i, 0)))));
+                                   hn::Not(barrido::HWY_NAMESPACE::lanes_below(du, x - i)));
       const auto place = hn::FindFirstTrue(du, differs);
       if (place >= 0) return std::min(i + static_cast<int>(place), width);
     }

@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "raster/kernels/depth-inl.h"
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -212,7 +213,7 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
     const int pixel = run.y * kTileWidth + run.x;
     for (int i = run.begin; i < run.end; i += lanes) {
       const int at = pixel + (i - run.begin);
-      M mask = hn::FirstN(d, static_cast<std::size_t>(run.end - i));
+      M mask = barrido::HWY_NAMESPACE::lanes_below(d, run.end - i);
       if (state.alpha_test.enabled) mask = alpha_test(batch, i, mask, tile.depth + at);
       Rgba color{{hn::LoadU(d, batch.color[0] + i), hn::LoadU(d, batch.color[1] + i),
                   hn::LoadU(d, batch.color[2] + i), hn::LoadU(d, batch.color[3] + i)}};

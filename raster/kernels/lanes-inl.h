@@ -1,0 +1,45 @@
+// Numbers of the lanes of a vector, as values and as masks. Highway's Iota builds them in memory at each use,
+// which costs more than most of the loops that need them; here they are loaded from a constant.
+#if defined(BARRIDO_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_LANES_INL_H
+#undef BARRIDO_LANES_INL_H
+#else
+#define BARRIDO_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#ifndef BARRIDO_LANE_NUMBERS
+#define BARRIDO_LANE_NUMBERS
+namespace barrido {
+/// 0 … 15 in the type of the lanes: as many as the widest vector has.
+template <class T>
+struct LaneNumberTable {
+  alignas(64) static constexpr T kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+};
+}  // namespace barrido
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// first, first + 1, … (exact while the numbers are below 2^24).
+template <class D>
+HWY_INLINE hn::Vec<D> lanes_from(D d, hn::TFromD<D> first) {
+  return hn::Add(hn::Load(d, LaneNumberTable<hn::TFromD<D>>::kNumbers), hn::Set(d, first));
+}
+
+/// The lanes below n; none when n ≤ 0, all when n is large.
+template <class D>
+HWY_INLINE hn::Mask<D> lanes_below(D d, int n) {
+  const hn::RebindToSigned<D> di;
+  return hn::RebindMask(d, hn::Lt(hn::Load(di, LaneNumberTable<std::int32_t>::kNumbers), hn::Set(di, n)));
+}
+
+}  // namespace barrido::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
