@@ -33,10 +33,12 @@ struct ImageLimits {
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name,
                    const ImageLimits& limits = {});
 
-/// Reads any 8-bit picture. @throws InputError.
+/// Reads PNG, JPEG, TIFF, WebP, BMP or TGA, and EXR or HDR clamped to [0, 1] and encoded as sRGB.
+/// @throws InputError.
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 
-/// Reads any picture as linear floats; 8-bit colours are decoded from sRGB. @throws InputError.
+/// Reads the same formats as linear floats; 8-bit colours are decoded from sRGB. Pictures that hold floats
+/// may have half the pixels that `limits` allows. @throws InputError.
 FloatImage read_float_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 /// A picture to be written: 8-bit always, floats where the file's format can hold them (exr, hdr, tif).
@@ -48,17 +50,26 @@ struct ImageView {
 };
 
 struct WriteOptions {
-  int png_compression = 1;  ///< 0..9; low is fast
-  int jpeg_quality = 92;    ///< 1..100
-  bool write_alpha =
-      true;  ///< Formats that have none (jpg, hdr) are composed over black as the colours stand.
+  int png_compression = 1;   ///< 0..9; low is fast
+  int jpeg_quality = 92;     ///< 1..100; from 90 on colour keeps its full resolution
+  bool half_floats = false;  ///< exr: 16-bit floats
+  /// False, or a format without alpha (jpg, hdr, bmp, ppm): composed over black as the colours stand.
+  bool write_alpha = true;
 };
 
 /// Whether the extension of `path` names a format that write_image knows; loads nothing.
 bool is_writable_format(const std::filesystem::path& path);
 
-/// Encodes PNG in memory. @throws InputError.
+/// Encodes PNG in memory: RGB where every pixel is opaque, else RGBA. @throws InputError.
 std::vector<std::uint8_t> encode_png(const ImageView& image, const WriteOptions& options = {});
+
+/// Encodes JPEG (baseline) in memory. @throws InputError.
+std::vector<std::uint8_t> encode_jpeg(const ImageView& image, const WriteOptions& options = {});
+
+/// Encodes in memory what write_image would write to a file with this extension ("exr" or ".exr"); for
+/// standard output. @throws InputError.
+std::vector<std::uint8_t> encode_image(const std::string& extension, const ImageView& image,
+                                       const WriteOptions& options = {});
 
 /// Writes by extension (png, jpg, tif, exr, hdr …) to a temporary name beside `path`, then renames it, so
 /// that no half picture is ever seen under the final name. @throws InputError.

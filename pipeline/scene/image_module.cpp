@@ -1,0 +1,116 @@
+#include "pipeline/scene/image_module.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "pipeline/scene/image_codecs.h"
+#include "pipeline/scene/image_module_loader.h"
+
+namespace barrido::scene {
+namespace {
+
+/// Rows that are read at a time: a header that promises more than the file holds fails in the first of them,
+/// before the picture's memory is taken.
+constexpr int kRowsAtATime = 64;
+
+struct ReaderCloser {
+  const BarridoOiioFunctions* functions;
+  void operator()(BarridoOiioReader* reader) const { functions->close(reader); }
+};
+using Reader = std::unique_ptr<BarridoOiioReader, ReaderCloser>;
+
+template <class T>
+constexpr BarridoOiioType kTypeOf = sizeof(T) == 1 ? BARRIDO_OIIO_UINT8 : BARRIDO_OIIO_FLOAT;
+
+/// Grey is spread over three channels; a missing alpha is opaque.
+template <class T>
+void widen(const T* in, int channels, std::size_t pixel_count, T opaque, T* rgba) {
+  for (std::size_t i = 0; i < pixel_count; ++i, in += channels, rgba += 4) {
+    rgba[0] = in[0];
+    rgba[1] = in[channels >= 3 ? 1 : 0];
+    rgba[2] = in[channels >= 3 ? 2 : 0];
+    rgba[3] = channels == 4 ? in[3] : channels == 2 ? in[1] : opaque;
+  }
+}
+
+/// Colours multiplied by alpha become straight; where alpha is 0 they stay as they are.
+template <class T>
+void make_straight(std::vector<T>& rgba, float opaque) {
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    const float alpha = static_cast<float>(rgba[i + 3]) / opaque;
+    if (!(alpha > 0.0f) || alpha == 1.0f) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float straight = static_cast<float>(rgba[i + c]) / alpha;
+      rgba[i + c] =
+          sizeof(T) == 1 ? static_cast<T>(std::min(straight + 0.5f, opaque)) : static_cast<T>(straight);
+    }
+  }
+}
+
+template <class T>
+std::vector<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
+                           const BarridoOiioHeader& header, T opaque, const std::string& name) {
+  const int step = std::max(kRowsAtATime / header.row_step, 1) * header.row_step;
+  const auto width = static_cast<std::size_t>(header.width);
+  std::vector<T> rows(width * static_cast<std::size_t>(std::min(step, header.height) * header.channels));
+  std::vector<T> rgba;
+  for (int begin = 0; begin < header.height; begin += step) {
+    const int end = std::min(begin + step, header.height);
+    BarridoOiioError error{};
+    if (functions.read_rows(reader, begin, end, kTypeOf<T>, rows.data(), &error) == 0) {
+      throw InputError(name, "", std::string("cannot be read: ") + error.text);
+    }
+    if (begin == 0) rgba.resize(width * static_cast<std::size_t>(header.height) * 4);
+    widen(rows.data(), header.channels, width * static_cast<std::size_t>(end - begin), opaque,
+          rgba.data() + width * static_cast<std::size_t>(begin) * 4);
+  }
+  if (header.associated_alpha != 0) make_straight(rgba, static_cast<float>(opaque));
+  return rgba;
+}
+
+}  // namespace
+
+Picture read_with_module(const std::filesystem::path& path, const FormatTraits& format,
+                         const ImageLimits& limits) {
+  const std::string name = path.string();
+  const BarridoOiioFunctions& functions = openimageio_module(name, format, "reading");
+  BarridoOiioHeader header{};
+  BarridoOiioError error{};
+  const Reader reader(functions.open(path.c_str(), format.openimageio_name, &header, &error), {&functions});
+  if (!reader) {
+    throw InputError(name, "", "damaged " + std::string(format.name) + ": " + error.text);
+  }
+  ImageLimits limits_here = limits;
+  if (header.is_float != 0) limits_here.max_pixels = limits.max_pixels / 2;
+  check_image_size(static_cast<std::uint64_t>(header.width), static_cast<std::uint64_t>(header.height), name,
+                   limits_here);
+  if (header.is_float != 0) {
+    FloatImage image{header.width, header.height, {}};
+    image.rgba = read_pixels<float>(functions, reader.get(), header, 1.0f, name);
+    return image;
+  }
+  Image image{name, header.width, header.height, {}};
+  image.rgba = read_pixels<std::uint8_t>(functions, reader.get(), header, 255, name);
+  return image;
+}
+
+void write_with_module(const std::filesystem::path& file, const std::filesystem::path& target,
+                       const FormatTraits& format, const PackedPicture& picture, bool half_floats) {
+  const BarridoOiioFunctions& functions = openimageio_module(target.string(), format, "writing");
+  BarridoOiioPicture packed{};
+  packed.width = picture.width;
+  packed.height = picture.height;
+  packed.channels = picture.channels;
+  packed.type = picture.floats.empty() ? BARRIDO_OIIO_UINT8 : BARRIDO_OIIO_FLOAT;
+  packed.half_floats = half_floats ? 1 : 0;
+  packed.associated_alpha = format.associated_alpha ? 1 : 0;
+  packed.pixels = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data())
+                                         : static_cast<const void*>(picture.floats.data());
+  BarridoOiioError error{};
+  if (functions.write(file.c_str(), format.openimageio_name, &packed, &error) == 0) {
+    throw InputError(target.string(), "", std::string("cannot be written: ") + error.text);
+  }
+}
+
+}  // namespace barrido::scene

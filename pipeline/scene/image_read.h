@@ -1,0 +1,15 @@
+// Any picture file to pixels, as its file holds them.
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/scene/image_io.h"
+#include "pipeline/scene/image_module.h"
+
+namespace barrido::scene {
+
+/// Reads a regular file of any format that is read. Bytes are sRGB as a rule, floats linear.
+/// @throws InputError.
+Picture read_picture(const std::filesystem::path& path, const ImageLimits& limits = {});
+
+}  // namespace barrido::scene
