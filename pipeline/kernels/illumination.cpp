@@ -1,0 +1,67 @@
+// The illumination model on vectors of surface points: see illumination.h for the formula. Enters: eye-space
+// points; leaves: colours that are not clamped.
+#include "pipeline/illumination.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/kernels/illumination.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "pipeline/kernels/light-inl.h"
+#include "pipeline/kernels/sums-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::pipeline::HWY_NAMESPACE {
+
+template <bool kTracked>
+HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLight& light,
+                          const Surface& surface, std::size_t side, Sums& sums) {
+  const bool shines = light.shines[side];
+  const Incidence at = incidence(illumination, light, surface, shines);
+  V diffuse = positive(at.n_dot_l);
+  if (light.weakens) {
+    diffuse = hn::Mul(diffuse, at.factor);
+    add_terms<kTracked>(sums, sums.primary, light.ambient, side, at.factor);
+  }
+  add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
+  if (!shines) return;
+  V specular = shine(at.n_dot_l, at.highlight, illumination.shininess[side]);
+  if (light.weakens) specular = hn::Mul(specular, at.factor);
+  add_terms<kTracked>(sums, sums.secondary, light.specular, side, specular);
+}
+
+template <bool kTracked>
+void illuminate_points(const Illumination& illumination, const SurfacePoints& points, const LitColors& out) {
+  const std::size_t side = points.back && illumination.two_sided ? 1 : 0;
+  for (int i = 0; i < points.count; i += kLanes) {
+    const Surface surface = load_surface(illumination, points, i);
+    Sums sums = start_sums<kTracked>(illumination, points.color, side, i);
+    for (const IlluminatingLight& light : illumination.lights) {
+      add_light<kTracked>(illumination, light, surface, side, sums);
+    }
+    store_sums(illumination, sums, points.color, side, i, out);
+  }
+}
+
+void Illuminate(const Illumination& illumination, const SurfacePoints& points, const LitColors& out) {
+  if (illumination.tracks_color) {
+    illuminate_points<true>(illumination, points, out);
+  } else {
+    illuminate_points<false>(illumination, points, out);
+  }
+}
+
+}  // namespace barrido::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace barrido::pipeline {
+
+HWY_EXPORT(Illuminate);
+
+void illuminate(const Illumination& illumination, const SurfacePoints& points, const LitColors& out) {
+  HWY_DYNAMIC_DISPATCH(Illuminate)(illumination, points, out);
+}
+
+}  // namespace barrido::pipeline
+#endif
