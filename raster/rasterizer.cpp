@@ -63,16 +63,6 @@ struct Rasterizer::Implementation {
 
   bool is_float() const { return frame.options().format == ColorFormat::rgba32f; }
 
-  void clear_tile(TileSurface& tile) const {
-    if (is_float()) {
-      for (std::size_t c = 0; c < 4; ++c)
-        std::fill_n(tile.color_float[c], kTilePixels, clear_values.color[c]);
-    } else {
-      std::fill_n(tile.color8, kTilePixels, pack(clear_values.color));
-    }
-    std::fill_n(tile.depth, kTilePixels, clear_values.depth);
-  }
-
   void load_tile(TileSurface& tile, const TileJob& job) const {
     for (int row = 0; row < job.height; ++row) {
       const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
@@ -91,22 +81,18 @@ struct Rasterizer::Implementation {
   }
 
   void store_tile(const TileSurface& tile, const TileJob& job) const {
+    alignas(64) std::uint32_t displayed[kTileWidth];
     for (int row = 0; row < job.height; ++row) {
       const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
-      const auto count = static_cast<std::size_t>(job.width);
-      std::uint32_t* color8 = frame.color8().data() + at;
+      const std::uint32_t* color8 = tile.color8 + row * kTileWidth;
       if (is_float()) {
-        display_row(tile, row, job.width, frame.options().display, color8);
-        for (std::size_t i = 0; !frame.color_float().empty() && i < count * 4; ++i) {
-          frame.color_float()[at * 4 + i] =
-              tile.color_float[i % 4][static_cast<std::size_t>(row) * kTileWidth + i / 4];
-        }
-      } else {
-        std::memcpy(color8, tile.color8 + row * kTileWidth, count * sizeof(std::uint32_t));
+        display_row(tile, row, job.width, frame.options().display, displayed);
+        color8 = displayed;
+        if (!frame.color_float().empty())
+          store_float_row(tile, row, job.width, frame.color_float().data() + at * 4);
       }
-      if (!frame.depth().empty()) {
-        std::memcpy(frame.depth().data() + at, tile.depth + row * kTileWidth, count * sizeof(float));
-      }
+      store_tile_row(color8, tile.depth + row * kTileWidth, job.width, frame.color8().data() + at,
+                     frame.depth().empty() ? nullptr : frame.depth().data() + at);
     }
   }
 
@@ -125,7 +111,7 @@ struct Rasterizer::Implementation {
     job.chunks = &w.chunks;
     job.visibility_first = options.visibility_first;
     if (starts_clear) {
-      clear_tile(w.surface);
+      clear_tile(w.surface, pack(clear_values.color), clear_values.color.data(), clear_values.depth);
     } else {
       load_tile(w.surface, job);
     }

@@ -68,35 +68,40 @@ struct SpanDepth {
   int anchor;
 };
 
-/// Depth of the pixels from column x on.
-template <class D>
-HWY_INLINE auto depth_at(D d, const SpanDepth& depth, int x) {
-  const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
-  const auto z = hn::Add(hn::Set(d, depth.row), hn::Mul(hn::Set(d, depth.slope), k));
-  return hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
-}
-
 /// Columns [begin, end) as a mask of the vector that starts at x.
 template <class D>
 HWY_INLINE auto columns_mask(D d, int x, int begin, int end) {
-  const hn::RebindToSigned<D> di;
-  const auto column = barrido::HWY_NAMESPACE::lanes_from(di, x);
-  return hn::RebindMask(d, hn::And(hn::Gt(column, hn::Set(di, begin - 1)), hn::Lt(column, hn::Set(di, end))));
+  using barrido::HWY_NAMESPACE::lanes_below;
+  return hn::AndNot(lanes_below(d, begin - x), lanes_below(d, end - x));
+}
+
+/// Whether no depth of columns [begin, end) needs clamping to [0, 1]. In floating point, too, a linear
+/// function is monotonic, so the ends decide.
+inline bool within_unit(const SpanDepth& depth, int begin, int end) {
+  const auto at = [&depth](int x) { return depth.row + depth.slope * static_cast<float>(x - depth.anchor); };
+  const float a = at(begin);
+  const float b = at(end - 1);
+  return a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f;
 }
 
 /// Tests columns [begin, end) of a row and calls passed(x, mask) for each aligned vector of pixels. Depth is
 /// written where the test passes when kWrite.
-template <Compare kCompare, bool kTest, bool kWrite, class Passed>
+template <Compare kCompare, bool kTest, bool kWrite, bool kClamp, class Passed>
 HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, int end, Passed&& passed) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int x = begin & ~(lanes - 1); x < end; x += lanes) {
+  const auto row = hn::Set(d, depth.row);
+  const auto slope = hn::Set(d, depth.slope);
+  int x = begin & ~(lanes - 1);
+  auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
+  for (; x < end; x += lanes) {
     auto mask = columns_mask(d, x, begin, end);
     if constexpr (kTest) {
-      const auto z = depth_at(d, depth, x);
-      const auto stored = hn::Load(d, depth_row + x);
-      mask = hn::And(mask, compare<kCompare>(z, stored));
+      auto z = hn::Add(row, hn::Mul(slope, column));
+      if constexpr (kClamp) z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
+      mask = hn::And(mask, compare<kCompare>(z, hn::Load(d, depth_row + x)));
       if constexpr (kWrite) hn::BlendedStore(z, mask, d, depth_row + x);
+      column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact
     }
     passed(x, mask);
   }
@@ -105,12 +110,16 @@ HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, 
 template <class Passed>
 HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
                            int begin, int end, Passed&& passed) {
-  if (!state.test) return test_depth<Compare::always, false, false>(depth_row, depth, begin, end, passed);
+  if (!state.test)
+    return test_depth<Compare::always, false, false, false>(depth_row, depth, begin, end, passed);
+  if (state.compare == Compare::less && write && within_unit(depth, begin, end)) {  // the usual case
+    return test_depth<Compare::less, true, true, false>(depth_row, depth, begin, end, passed);
+  }
   with_compare(state.compare, [&]<Compare kCompare>() HWY_ATTR {
     if (write) {
-      test_depth<kCompare, true, true>(depth_row, depth, begin, end, passed);
+      test_depth<kCompare, true, true, true>(depth_row, depth, begin, end, passed);
     } else {
-      test_depth<kCompare, true, false>(depth_row, depth, begin, end, passed);
+      test_depth<kCompare, true, false, true>(depth_row, depth, begin, end, passed);
     }
   });
 }

@@ -26,6 +26,16 @@ void clamp_colors(FragmentBatch& batch);
 /// Secondary colour, fog, alpha test, blending and stores: from the batch's colours to the surface.
 void write_fragments(FragmentBatch& batch, TileSurface& surface);
 
+/// Sets every pixel of the tile.
+void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth);
+
+/// Copies one finished row into the frame; depth_out may be null.
+void store_tile_row(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
+                    float* depth_out);
+
+/// Interleaves one row of float colours into the frame.
+void store_float_row(const TileSurface& tile, int row, int count, float* out);
+
 /// Float colours of one row to packed 8-bit ones (docs/arithmetic.md, Display).
 void display_row(const TileSurface& surface, int row, int count, const DisplayTransform& display,
                  std::uint32_t* out);

@@ -37,7 +37,7 @@ template <class D, class V>
 HWY_INLINE V Exp2(D d, V x) {
   const hn::RebindToSigned<D> di;
   const auto low = hn::Set(d, -126.0f);
-  const auto clamped = hn::Min(hn::Max(x, low), hn::Set(d, 127.99f));
+  const auto clamped = hn::Min(hn::Max(x, low), hn::Set(d, 127.49f));
   const auto n = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
   const auto f = hn::Sub(clamped, n);
   auto p = hn::Set(d, 1.52527338e-5f);

@@ -1,0 +1,92 @@
+// Tiles to and from the frame: clearing, and storing finished rows past the caches, since nothing reads them
+// soon.
+#include <algorithm>
+#include <cstring>
+
+#include "raster/kernels/kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/tile_memory.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class T>
+HWY_INLINE void fill_tile(T* values, T value) {
+  const hn::ScalableTag<T> d;
+  const auto v = hn::Set(d, value);
+  for (int i = 0; i < kTilePixels; i += static_cast<int>(hn::Lanes(d))) hn::Store(v, d, values + i);
+}
+
+/// Copies a row; whole vectors of the destination bypass the caches.
+template <class T>
+HWY_INLINE void stream_row(const T* from, int count, T* to) {
+  const hn::ScalableTag<T> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto bytes = static_cast<int>(sizeof(T)) * lanes;
+  const auto misaligned =
+      static_cast<int>(reinterpret_cast<std::uintptr_t>(to) % static_cast<std::uintptr_t>(bytes));
+  int i = misaligned == 0 ? 0 : std::min(count, (bytes - misaligned) / static_cast<int>(sizeof(T)));
+  std::copy_n(from, i, to);
+  for (; i + lanes <= count; i += lanes) hn::Stream(hn::LoadU(d, from + i), d, to + i);
+  std::copy_n(from + i, count - i, to + i);
+}
+
+void ClearTile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
+  if (tile.format == ColorFormat::rgba8) {
+    fill_tile(tile.color8, color8);
+  } else {
+    for (int c = 0; c < 4; ++c) fill_tile(tile.color_float[c], color[c]);
+  }
+  fill_tile(tile.depth, depth);
+}
+
+void StoreTileRow(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
+                  float* depth_out) {
+  stream_row(color8, count, color8_out);
+  if (depth_out != nullptr) stream_row(depth, count, depth_out);
+}
+
+void StoreFloatRow(const TileSurface& tile, int row, int count, float* out) {
+  const hn::ScalableTag<float> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  int i = 0;
+  const int at = row * kTileWidth;
+  for (; i + lanes <= count; i += lanes) {
+    hn::StoreInterleaved4(
+        hn::Load(d, tile.color_float[0] + at + i), hn::Load(d, tile.color_float[1] + at + i),
+        hn::Load(d, tile.color_float[2] + at + i), hn::Load(d, tile.color_float[3] + at + i), d, out + 4 * i);
+  }
+  for (; i < count; ++i) {
+    for (int c = 0; c < 4; ++c) out[4 * i + c] = tile.color_float[c][at + i];
+  }
+}
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace barrido::raster {
+
+HWY_EXPORT(ClearTile);
+HWY_EXPORT(StoreTileRow);
+HWY_EXPORT(StoreFloatRow);
+
+void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
+  HWY_DYNAMIC_DISPATCH(ClearTile)(tile, color8, color, depth);
+}
+
+void store_tile_row(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
+                    float* depth_out) {
+  HWY_DYNAMIC_DISPATCH(StoreTileRow)(color8, depth, count, color8_out, depth_out);
+}
+
+void store_float_row(const TileSurface& tile, int row, int count, float* out) {
+  HWY_DYNAMIC_DISPATCH(StoreFloatRow)(tile, row, count, out);
+}
+
+}  // namespace barrido::raster
+#endif
