@@ -1,0 +1,61 @@
+#include "pipeline/scene/draw_list.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace barrido::scene {
+namespace {
+
+/// The geometry with the arrays that its surface asks for.
+pipeline::Geometry geometry_for(PreparedGeometry& prepared, const Surface& surface) {
+  pipeline::Geometry geometry = prepared.geometry;
+  geometry.constant_color = surface.color;
+  geometry.color = colors_times(prepared, surface.color);
+  if (surface.alpha_mode == AlphaMode::opaque && geometry.color.data != nullptr)
+    geometry.color.components = 3;
+  for (std::size_t unit = 0; unit < geometry.texcoord.size(); ++unit) {
+    const int set = surface.texcoord_set[unit];
+    if (set != kNone) geometry.texcoord[unit] = prepared.texcoord_sets[static_cast<std::size_t>(set)];
+  }
+  return geometry;
+}
+
+bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::dmat3(glm::mat3(matrix))) < 0.0; }
+
+}  // namespace
+
+DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const Pose& pose,
+                       std::optional<float> crease_angle_deg, const SurfaceOptions& options,
+                       GeometryCache& geometry, TextureCache& textures) {
+  DrawList list;
+  for (const int node : nodes) {
+    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+    if (mesh == kNone) continue;
+    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const Primitive& primitive = primitives[i];
+      if (primitive.vertex_count == 0) continue;
+      Draw draw;
+      draw.node = node;
+      draw.world_from_object = pose.world_from_node[static_cast<std::size_t>(node)];
+      PreparedGeometry* prepared = nullptr;
+      if (is_deformed(scene, node, primitive)) {
+        list.deformed.push_back(
+            prepare_deformed(primitive, deform(scene, pose, node, primitive), crease_angle_deg));
+        prepared = list.deformed.back().get();
+        if (prepared->deformed.in_world_space) draw.world_from_object = glm::mat4(1.0f);
+      } else {
+        prepared = &geometry.get(mesh, static_cast<int>(i), crease_angle_deg);
+      }
+      draw.mirrored = mirrors(draw.world_from_object);
+      draw.surface = make_surface(scene, primitive.material, prepared->geometry.normal.data != nullptr,
+                                  prepared->colors.data != nullptr, options, textures);
+      draw.geometry = geometry_for(*prepared, draw.surface);
+      draw.center = prepared->center;
+      list.draws.push_back(std::move(draw));
+    }
+  }
+  return list;
+}
+
+}  // namespace barrido::scene

@@ -1,0 +1,35 @@
+// What there is to draw in a frame, whatever the eye. Enters: a scene in a pose; leaves: one draw a
+// primitive, with its geometry and its surface. Knows no lights and no view.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "pipeline/scene/prepared_geometry.h"
+#include "pipeline/scene/surface.h"
+
+namespace barrido::scene {
+
+struct Draw {
+  int node = kNone;
+  glm::mat4 world_from_object{1.0f};
+  bool mirrored = false;  ///< The matrix turns left into right, and so front into back.
+  Surface surface;
+  pipeline::Geometry geometry;
+  glm::vec3 center{0, 0, 0};  ///< Middle of the bounding box, object space
+};
+
+struct DrawList {
+  std::vector<Draw> draws;  ///< In node order
+  /// Vertices that were deformed for this frame; the draws point into them.
+  std::vector<std::unique_ptr<PreparedGeometry>> deformed;
+};
+
+/// The draws of `nodes` in `pose`. Arrays that do not depend on the pose stay in `geometry`.
+DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const Pose& pose,
+                       std::optional<float> crease_angle_deg, const SurfaceOptions& options,
+                       GeometryCache& geometry, TextureCache& textures);
+
+}  // namespace barrido::scene

@@ -1,0 +1,131 @@
+#include "pipeline/scene/frame.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "pipeline/scene/error.h"
+#include "pipeline/scene/metering.h"
+#include "pipeline/scene/scene_nodes.h"
+#include "pipeline/scene/studio.h"
+#include "pipeline/scene/view.h"
+
+namespace barrido::scene {
+namespace {
+
+/// Dark grey as seen on the screen, where nobody asks for another background.
+constexpr glm::vec4 kDefaultBackground{0.2f, 0.2f, 0.2f, 1.0f};
+
+double aspect_of(const RenderSettings& settings) {
+  return static_cast<double>(settings.width) / static_cast<double>(settings.height);
+}
+
+float light_scale(const Scene& scene, const PosedScene& posed, SceneCaches& caches) {
+  const auto [slot, is_new] = caches.light_scale.try_emplace(posed.scene_index, 1.0f);
+  if (is_new && !light_nodes(scene, posed.nodes).empty()) {
+    slot->second = physical_light_scale(scene, posed.nodes, pose_at(scene, kNone, 0.0));
+  }
+  return slot->second;
+}
+
+/// Colours of the user are as seen on the screen; those of a file are linear, as all its numbers.
+glm::vec4 choose_clear_color(const SceneSettings* own, const RenderSettings& settings) {
+  if (!settings.background_color && own != nullptr && own->background) return *own->background;
+  const glm::vec4 seen = settings.background_color.value_or(kDefaultBackground);
+  return glm::vec4(frame_color(glm::vec3(seen), settings), seen.a);
+}
+
+std::optional<raster::FogState> choose_fog(const SceneSettings* own, const RenderSettings& settings) {
+  if (!settings.fog) return own != nullptr ? own->fog : std::nullopt;
+  raster::FogState fog = *settings.fog;
+  const glm::vec3 color = frame_color({fog.color[0], fog.color[1], fog.color[2]}, settings);
+  fog.color = {color.r, color.g, color.b, fog.color[3]};
+  return fog;
+}
+
+const raster::Texture& studio(raster::Encoding encoding, SceneCaches& caches) {
+  const auto found = caches.studio.find(encoding);
+  if (found != caches.studio.end()) return found->second;
+  return caches.studio.emplace(encoding, make_studio(encoding)).first->second;
+}
+
+void choose_surroundings(Frame& frame, const RenderSettings& settings, SceneCaches& caches) {
+  const bool has_environment = settings.environment && settings.environment->is_cube();
+  if (has_environment) {
+    frame.surroundings = settings.environment.get();
+    const glm::mat3 upright_from_world(glm::transpose(world_from_upright(glm::dvec3(settings.camera.up))));
+    frame.surroundings_from_world = glm::mat4(upright_from_world);
+  } else {
+    frame.surroundings = &studio(color_encoding(settings), caches);
+    frame.surroundings_from_world = glm::mat4(glm::mat3(frame.view.eye_from_world));
+  }
+  frame.backdrop_in_view = settings.background == Background::environment;
+  frame.backdrop_in_reflection = has_environment || frame.backdrop_in_view || !settings.background_color;
+}
+
+SurfaceOptions surface_options(const RenderSettings& settings) {
+  SurfaceOptions options;
+  options.encoding = color_encoding(settings);
+  options.textures = settings.textures;
+  options.min_filter = settings.min_filter;
+  options.mag_filter = settings.mag_filter;
+  options.reflections = settings.environment ? Reflections::all : Reflections::metals;
+  options.specular_model = settings.lighting;
+  // OpenGL's limits where OpenGL's results are asked for.
+  if (!uses_float_frame(settings)) options.limits = {128.0f, true};
+  return options;
+}
+
+}  // namespace
+
+raster::Encoding color_encoding(const RenderSettings& settings) {
+  return settings.color_management == ColorManagement::srgb ? raster::Encoding::srgb
+                                                            : raster::Encoding::linear;
+}
+
+PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneCaches& caches) {
+  const int animations = static_cast<int>(scene.animations.size());
+  if (settings.animation != kNone && (settings.animation < 0 || settings.animation >= animations)) {
+    throw InputError(
+        scene.source, "animation " + std::to_string(settings.animation),
+        "the file has " + std::to_string(animations) + (animations == 1 ? " animation" : " animations"));
+  }
+  PosedScene posed;
+  posed.scene_index = resolve_scene_index(scene, settings.scene_index);
+  posed.nodes = nodes_of_scene(scene, posed.scene_index);
+  posed.pose = pose_at(scene, settings.animation, settings.time_s);
+  const auto key = std::make_pair(posed.scene_index, settings.animation);
+  const auto found = caches.bounds.find(key);
+  if (found != caches.bounds.end()) {
+    posed.bounds = found->second;
+  } else {
+    posed.bounds = bounding_sphere(scene, posed.nodes, framing_poses(scene, settings.animation));
+    caches.bounds.emplace(key, posed.bounds);
+  }
+  return posed;
+}
+
+View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettings& settings) {
+  const Eye eye = choose_eye(scene, posed.nodes, posed.pose, posed.bounds, settings);
+  return view_of(eye, posed.bounds, aspect_of(settings));
+}
+
+Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
+                    std::vector<std::string>& warnings) {
+  Frame frame;
+  frame.posed = pose_scene(scene, settings, caches);
+  frame.aspect = aspect_of(settings);
+  frame.view = choose_view(scene, frame.posed, settings);
+  frame.lights = choose_lights(scene, frame.posed.nodes, frame.posed.scene_index, frame.posed.pose, settings,
+                               frame.view.eye_from_world, light_scale(scene, frame.posed, caches), warnings);
+  const int index = frame.posed.scene_index;
+  const SceneSettings* own =
+      index == kNone ? nullptr : &scene.scenes[static_cast<std::size_t>(index)].settings;
+  frame.clear_color = choose_clear_color(own, settings);
+  frame.fog = choose_fog(own, settings);
+  frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg,
+                             surface_options(settings), caches.geometry, caches.textures);
+  choose_surroundings(frame, settings, caches);
+  return frame;
+}
+
+}  // namespace barrido::scene

@@ -1,0 +1,58 @@
+// From a glTF material (metallic-roughness) to the numbers of the fixed-function model. Enters: the material
+// and the means of its pictures; leaves: reflection coefficients. Knows no textures, no state and no lights.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "pipeline/scene/scene.h"
+
+namespace barrido::scene {
+
+/// What has to be known of a material's use: means over all texels of its pictures, 1 where there is none.
+struct SurfaceContext {
+  glm::vec3 base_color{1, 1, 1};  ///< In the light that the frame is computed in
+  float roughness = 1.0f;         ///< G of the metallic-roughness picture
+  float metallic = 1.0f;          ///< B of the metallic-roughness picture
+  bool vertex_colors = false;     ///< The primitive has its own colours
+};
+
+/// Limits of the target: OpenGL's (none) or only those of good sense (srgb, a float frame).
+struct ConversionLimits {
+  float max_shininess = 2048.0f;
+  bool clamp_to_one = false;  ///< Specular coefficients, as OpenGL's colours
+};
+
+/// Coefficients of one material. What reflects an environment map is blended in by a texture unit as
+/// lit·(1 − reflectance) + map·reflectance, so `diffuse` is divided by (1 − reflectance) beforehand.
+struct SurfaceCoefficients {
+  glm::vec4 diffuse{1, 1, 1, 1};  ///< k_d, and the alpha of lit colours
+  glm::vec3 ambient{1, 1, 1};     ///< k_a
+  glm::vec3 specular{0, 0, 0};    ///< k_s
+  glm::vec3 emission{0, 0, 0};
+  float shininess = 0.0f;  ///< n of Blinn's (N·H)^n; a quarter of it for Phong's (R·V)^n, see below
+  glm::vec3 reflectance{0, 0, 0};
+  /// The environment is reflected below the base colour texture, which then colours the reflection (metals).
+  bool reflection_before_texture = false;
+};
+
+/// How reflections of surroundings are to be had.
+enum class Reflections : std::uint8_t {
+  none,
+  metals,  ///< Only where there would be nothing to see without.
+  all,     ///< Every lit surface, by its reflectance at normal incidence.
+};
+
+/// The conversion of metallic-roughness: k_d = b(1 − 0.04)(1 − m), F0 = lerp(0.04, b, m), n = 2/α² − 2 with
+/// α = r² (Karis 2013), k_s = F0 (n + 2)/8. The factor N·L that belongs to k_s is missing from fixed
+/// function; the wider the lobe the more it matters, so the share (2/(n + 2))² of k_s goes to k_d instead,
+/// which has that factor. Metals with vertex colours are treated as painted: no texture unit could colour
+/// their reflection. Exact coefficients of the file (extras.barrido) replace what they name; a material whose
+/// diffuse or specular is exact reflects no environment.
+SurfaceCoefficients convert_material(const Material& material, const SurfaceContext& context,
+                                     Reflections reflections, const ConversionLimits& limits);
+
+/// Exponent of (R·V)^n that makes a highlight as wide as (N·H)^`blinn_shininess`.
+inline float phong_shininess(float blinn_shininess) { return blinn_shininess * 0.25f; }
+
+}  // namespace barrido::scene

@@ -1,0 +1,63 @@
+// Vertex arrays ready for drawing. Enters: primitives; leaves: views of their own memory where possible, of
+// arrays made here where normals are missing, vertices are deformed or colours are scaled. Knows no state.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "pipeline/geometry.h"
+#include "pipeline/scene/animate.h"
+#include "pipeline/scene/scene.h"
+
+namespace barrido::scene {
+
+/// One primitive's arrays. `geometry` and `texcoord_sets` point into the primitive or into the arrays below.
+struct PreparedGeometry {
+  PreparedGeometry() = default;
+  PreparedGeometry(const PreparedGeometry&) = delete;
+  PreparedGeometry& operator=(const PreparedGeometry&) = delete;
+
+  pipeline::Geometry geometry;  ///< Texture coordinates and colours are left for the material to choose.
+  std::array<pipeline::Attribute, 2> texcoord_sets;
+  pipeline::Attribute colors;  ///< 4 floats a vertex, or absent
+  glm::vec3 center{0, 0, 0};   ///< Middle of the bounding box, in the positions' space
+
+  DeformedVertices deformed;
+  std::vector<float> positions, normals;
+  std::array<std::vector<float>, 2> texcoords;
+  std::vector<float> own_colors;
+  std::vector<std::uint32_t> indices;
+  std::map<std::array<float, 4>, std::vector<float>> scaled_colors;
+};
+
+/// The primitive as it is in the file. Surfaces without normals get flat ones, or averaged ones where a
+/// crease angle is given.
+std::unique_ptr<PreparedGeometry> prepare(const Primitive& primitive, std::optional<float> crease_angle_deg);
+
+/// The primitive with these vertices in place of its own.
+std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices vertices,
+                                                   std::optional<float> crease_angle_deg);
+
+/// The colours times `scale`, made once; the array itself when the scale is 1. Absent when there are none.
+pipeline::Attribute colors_times(PreparedGeometry& prepared, const glm::vec4& scale);
+
+/// Primitives that are not deformed, each prepared once.
+class GeometryCache {
+ public:
+  explicit GeometryCache(const Scene& scene) : scene_(scene) {}
+  PreparedGeometry& get(int mesh, int primitive, std::optional<float> crease_angle_deg);
+
+ private:
+  const Scene& scene_;
+  std::map<std::tuple<int, int, float>, std::unique_ptr<PreparedGeometry>> prepared_;
+};
+
+}  // namespace barrido::scene

@@ -1,0 +1,228 @@
+// How a scene becomes a frame: pose, eye and lights; one draw a primitive; then passes over the draws, the
+// opaque ones first, what lies behind everything next, the transparent ones from back to front.
+#include "pipeline/scene/render_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "pipeline/scene/environment_pass.h"
+#include "pipeline/scene/frame.h"
+#include "pipeline/scene/sorting.h"
+#include "raster/portable_math.h"
+
+namespace barrido::scene {
+namespace {
+
+constexpr int kDynamicMapSize = 256;
+constexpr std::size_t kMaxDynamicMaps = 16;
+/// Below this a reflection is too faint to be worth six pictures.
+constexpr float kLeastDynamicReflectance = 0.2f;
+
+/// One look at the draws of a frame.
+struct Pass {
+  View view;
+  double aspect = 1.0;
+  bool backdrop = false;
+  int without_node = kNone;  ///< Whose surroundings are being rendered
+  /// Cube maps of single nodes, in world space; the others reflect the frame's surroundings.
+  const std::map<int, raster::Texture>* node_maps = nullptr;
+};
+
+glm::mat4 world_from_eye_rotation(const View& view) {
+  return glm::mat4(glm::transpose(glm::mat3(view.eye_from_world)));
+}
+
+raster::FramebufferOptions frame_options(const RenderSettings& settings) {
+  raster::FramebufferOptions options;
+  options.width = settings.width;
+  options.height = settings.height;
+  options.keep_depth = false;
+  if (!uses_float_frame(settings)) return options;
+  options.format = raster::ColorFormat::rgba32f;
+  options.keep_float = settings.keep_float;
+  options.display = {portable_exp2(settings.exposure_ev), settings.tone_map,
+                     settings.color_management == ColorManagement::srgb};
+  return options;
+}
+
+/// A face of an environment map holds light, not a picture: no exposure, no tone reproduction.
+raster::FramebufferOptions face_options(const RenderSettings& settings) {
+  raster::FramebufferOptions options = frame_options(settings);
+  options.width = options.height = kDynamicMapSize;
+  options.keep_float = false;
+  options.display.exposure_scale = 1.0f;
+  options.display.tone_map = raster::ToneMap::clamp;
+  return options;
+}
+
+/// Draws the frame's draws with one state each.
+class PassRenderer {
+ public:
+  PassRenderer(const RenderSettings& settings, const Frame& frame, const Pass& pass,
+               ReflectionMaps& reflections, ReflectionMaps& node_reflections,
+               raster::Framebuffer& framebuffer)
+      : settings_(settings),
+        frame_(frame),
+        pass_(pass),
+        reflections_(reflections),
+        node_reflections_(node_reflections),
+        renderer_(framebuffer, {settings.visibility_first}),
+        base_(base_state(settings, pass.view, frame.lights, frame.fog)),
+        surroundings_from_eye_(frame.surroundings_from_world * world_from_eye_rotation(pass.view)) {}
+
+  pipeline::Statistics run() {
+    raster::ClearValues clear;
+    clear.color = {frame_.clear_color.r, frame_.clear_color.g, frame_.clear_color.b, frame_.clear_color.a};
+    renderer_.clear(clear);
+    for (const Draw& draw : frame_.list.draws) {
+      if (draw.surface.alpha_mode != AlphaMode::blend) submit(draw, draw.geometry);
+    }
+    if (pass_.backdrop) {
+      draw_backdrop(renderer_, {frame_.surroundings, surroundings_from_eye_}, pass_.view, pass_.aspect,
+                    base_.clamp_colors);
+    }
+    submit_blended();
+    renderer_.finish();
+    return renderer_.statistics();
+  }
+
+ private:
+  void submit(const Draw& draw, const pipeline::Geometry& geometry) {
+    if (draw.node == pass_.without_node) return;
+    const bool write_alpha = frame_.clear_color.a < 1.0f;
+    renderer_.draw(state_of(base_, settings_, pass_.view, draw, reflection_of(draw), write_alpha), geometry);
+  }
+
+  /// Whole draws by their middles, then the triangles within each.
+  void submit_blended() {
+    std::vector<const Draw*> blended;
+    std::vector<float> distances;
+    for (const Draw& draw : frame_.list.draws) {
+      if (draw.surface.alpha_mode != AlphaMode::blend) continue;
+      blended.push_back(&draw);
+      distances.push_back(distance_of(draw)(draw.center));
+    }
+    for (const std::uint32_t i : farthest_first(distances)) {
+      pipeline::Geometry geometry = blended[i]->geometry;
+      sorted_.push_back(triangles_back_to_front(geometry, distance_of(*blended[i])));
+      if (!sorted_.back().empty()) {
+        geometry.mode = pipeline::PrimitiveMode::triangles;
+        geometry.indices = sorted_.back();
+      }
+      submit(*blended[i], geometry);
+    }
+  }
+
+  EyeDistance distance_of(const Draw& draw) const {
+    return {pass_.view.eye_from_world * draw.world_from_object, is_parallel(pass_.view)};
+  }
+
+  Reflection reflection_of(const Draw& draw) {
+    if (draw.surface.reflection_unit == kNone) return {};
+    if (pass_.node_maps != nullptr) {
+      const auto own = pass_.node_maps->find(draw.node);
+      if (own != pass_.node_maps->end()) {
+        return {&node_reflections_.get(own->second, draw.surface.phong_exponent),
+                world_from_eye_rotation(pass_.view)};
+      }
+    }
+    return {&reflections_.get(*frame_.surroundings, draw.surface.phong_exponent), surroundings_from_eye_};
+  }
+
+  const RenderSettings& settings_;
+  const Frame& frame_;
+  const Pass& pass_;
+  ReflectionMaps& reflections_;
+  ReflectionMaps& node_reflections_;
+  pipeline::Renderer renderer_;
+  pipeline::State base_;
+  glm::mat4 surroundings_from_eye_;
+  std::vector<std::vector<std::uint32_t>> sorted_;  // index lists of this pass, until it is finished
+};
+
+/// The nodes that reflect enough to have surroundings of their own, with the middle of what they draw.
+std::map<int, glm::dvec3> reflecting_nodes(const Frame& frame) {
+  std::map<int, std::pair<glm::dvec3, int>> sums;
+  for (const Draw& draw : frame.list.draws) {
+    const int unit = draw.surface.reflection_unit;
+    if (unit == kNone) continue;
+    const std::array<float, 4>& share = draw.surface.units[static_cast<std::size_t>(unit)].env_color;
+    if (std::max({share[0], share[1], share[2]}) < kLeastDynamicReflectance) continue;
+    auto& [sum, count] = sums.try_emplace(draw.node, glm::dvec3(0.0), 0).first->second;
+    sum += glm::dvec3(draw.world_from_object * glm::vec4(draw.center, 1.0f));
+    ++count;
+  }
+  std::map<int, glm::dvec3> centers;
+  for (const auto& [node, sum] : sums) centers[node] = sum.first / static_cast<double>(sum.second);
+  return centers;
+}
+
+}  // namespace
+
+struct SceneRenderer::Implementation {
+  explicit Implementation(const Scene& drawn) : scene(drawn), caches(drawn) {}
+
+  const Scene& scene;
+  SceneCaches caches;
+  std::vector<std::string> warnings;
+
+  raster::Texture environment_of(int node, const glm::dvec3& center, const RenderSettings& settings,
+                                 const Frame& frame, pipeline::Statistics& work) {
+    std::vector<raster::Framebuffer> faces;
+    ReflectionMaps unused;
+    for (int face = 0; face < raster::kCubeFaces; ++face) {
+      const Pass pass{cube_face_view(face, center, frame.posed.bounds), 1.0, frame.backdrop_in_reflection,
+                      node, nullptr};
+      faces.emplace_back(face_options(settings));
+      add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
+    }
+    return cube_of_frames(faces, color_encoding(settings));
+  }
+
+  std::map<int, raster::Texture> environments(const RenderSettings& settings, const Frame& frame,
+                                              pipeline::Statistics& work) {
+    std::map<int, raster::Texture> maps;
+    const std::map<int, glm::dvec3> nodes = reflecting_nodes(frame);
+    if (nodes.size() > kMaxDynamicMaps) {
+      warnings.push_back("more than " + std::to_string(kMaxDynamicMaps) +
+                         " reflecting objects: the first have environments of their own");
+    }
+    for (const auto& [node, center] : nodes) {
+      if (maps.size() == kMaxDynamicMaps) break;
+      maps.emplace(node, environment_of(node, center, settings, frame, work));
+    }
+    return maps;
+  }
+};
+
+SceneRenderer::SceneRenderer(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
+SceneRenderer::~SceneRenderer() = default;
+
+raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeline::Statistics* statistics) {
+  Implementation& self = *implementation_;
+  self.warnings.clear();
+  raster::Framebuffer framebuffer(frame_options(settings));
+  const Frame frame = prepare_frame(self.scene, settings, self.caches, self.warnings);
+  pipeline::Statistics work;
+  std::map<int, raster::Texture> node_maps;
+  if (settings.dynamic_environment) node_maps = self.environments(settings, frame, work);
+  ReflectionMaps node_reflections;
+  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, kNone, &node_maps};
+  add(work,
+      PassRenderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer).run());
+  if (statistics != nullptr) *statistics = work;
+  return framebuffer;
+}
+
+View SceneRenderer::view(const RenderSettings& settings) const {
+  Implementation& self = *implementation_;
+  return choose_view(self.scene, pose_scene(self.scene, settings, self.caches), settings);
+}
+
+const std::vector<std::string>& SceneRenderer::warnings() const { return implementation_->warnings; }
+
+}  // namespace barrido::scene

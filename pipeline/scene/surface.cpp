@@ -1,0 +1,189 @@
+#include "pipeline/scene/surface.h"
+
+#include <algorithm>
+
+namespace barrido::scene {
+namespace {
+
+glm::mat4 texture_matrix(const glm::mat3& transform) {
+  glm::mat4 matrix(1.0f);
+  matrix[0] = {transform[0].x, transform[0].y, 0, 0};
+  matrix[1] = {transform[1].x, transform[1].y, 0, 0};
+  matrix[3] = {transform[2].x, transform[2].y, 0, 1};
+  return matrix;
+}
+
+/// A combination for the colour that leaves the alpha alone.
+raster::CombineState combine_colors(raster::CombineFunction function,
+                                    std::array<raster::CombineSource, 3> sources) {
+  raster::CombineState combine;
+  combine.rgb.function = function;
+  combine.rgb.source = sources;
+  combine.rgb.operand.fill(raster::CombineOperand::color);
+  combine.alpha.function = raster::CombineFunction::replace;
+  combine.alpha.source[0] = raster::CombineSource::previous;
+  return combine;
+}
+
+/// Adds units to a surface, first to last in the order of the texturing.
+class SurfaceBuilder {
+ public:
+  SurfaceBuilder(const Scene& scene, const SurfaceOptions& options, TextureCache& textures, Surface& surface)
+      : scene_(scene), options_(options), textures_(textures), surface_(surface) {}
+
+  bool can_use(const TextureUse& use) const { return options_.textures && textures_.usable(use.texture); }
+
+  void add_base_color(const TextureUse& use) {
+    TexelUse texels;
+    texels.opaque = surface_.alpha_mode == AlphaMode::opaque;
+    add_texture(use, texels, raster::TextureEnvMode::modulate);
+  }
+
+  void add_emissive(const TextureUse& use, const glm::vec3& factor) {
+    TexelUse texels;
+    texels.opaque = true;  // The mode `add` multiplies alphas.
+    texels.factor = factor;
+    add_texture(use, texels, raster::TextureEnvMode::add);
+  }
+
+  /// previous·(1 − reflectance) + map·reflectance
+  void add_reflection(const glm::vec3& reflectance) {
+    using Source = raster::CombineSource;
+    raster::TextureUnit& unit = next_unit();
+    surface_.reflection_unit = surface_.unit_count - 1;
+    unit.min_filter = options_.min_filter.value_or(raster::MinFilter::linear_mipmap_linear);
+    unit.mag_filter = options_.mag_filter.value_or(raster::MagFilter::linear);
+    unit.env_mode = raster::TextureEnvMode::combine;
+    unit.combine = combine_colors(raster::CombineFunction::interpolate,
+                                  {Source::texture, Source::previous, Source::constant});
+    unit.env_color = {reflectance.r, reflectance.g, reflectance.b, 1.0f};
+  }
+
+  /// previous + color
+  void add_constant(const glm::vec3& color) {
+    using Source = raster::CombineSource;
+    raster::TextureUnit& unit = next_unit();
+    unit.texture = &textures_.white();
+    unit.min_filter = raster::MinFilter::nearest;
+    unit.mag_filter = raster::MagFilter::nearest;
+    unit.env_mode = raster::TextureEnvMode::combine;
+    unit.combine =
+        combine_colors(raster::CombineFunction::add, {Source::previous, Source::constant, Source::constant});
+    unit.env_color = {color.r, color.g, color.b, 0.0f};
+  }
+
+ private:
+  raster::TextureUnit& next_unit() { return surface_.units[static_cast<std::size_t>(surface_.unit_count++)]; }
+
+  void add_texture(const TextureUse& use, TexelUse texels, raster::TextureEnvMode mode) {
+    const Texture& source = scene_.textures[static_cast<std::size_t>(use.texture)];
+    const auto index = static_cast<std::size_t>(surface_.unit_count);
+    raster::TextureUnit& unit = next_unit();
+    unit.min_filter = options_.min_filter.value_or(source.min_filter);
+    unit.mag_filter = options_.mag_filter.value_or(source.mag_filter);
+    unit.env_mode = mode;
+    texels.encoding = options_.encoding;
+    texels.mipmaps = uses_mipmaps(unit.min_filter);
+    unit.texture = &textures_.get(use.texture, texels);
+    surface_.texcoord_set[index] = use.texcoord_set;
+    surface_.texture_matrix[index] = texture_matrix(use.transform);
+  }
+
+  const Scene& scene_;
+  const SurfaceOptions& options_;
+  TextureCache& textures_;
+  Surface& surface_;
+};
+
+SurfaceContext context_of(const Material& material, bool has_colors, const SurfaceOptions& options,
+                          TextureCache& textures) {
+  SurfaceContext context;
+  context.vertex_colors = has_colors;
+  if (options.textures && textures.usable(material.base_color_texture.texture)) {
+    context.base_color = textures.mean(material.base_color_texture.texture, options.encoding);
+  }
+  if (textures.usable(material.metallic_roughness_texture.texture)) {
+    const glm::vec3 mean =
+        textures.mean(material.metallic_roughness_texture.texture, raster::Encoding::linear);
+    context.roughness = mean.g;
+    context.metallic = mean.b;
+  }
+  return context;
+}
+
+void set_unlit(Surface& surface, const Material& material, SurfaceBuilder& builder) {
+  surface.lit = false;
+  surface.color = material.base_color;
+  if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
+}
+
+void set_material(Surface& surface, const SurfaceCoefficients& coefficients, const ExactMaterial& exact,
+                  const SurfaceOptions& options) {
+  surface.material.ambient = glm::vec4(coefficients.ambient, 1.0f);
+  surface.material.diffuse = coefficients.diffuse;
+  surface.material.specular = glm::vec4(coefficients.specular, 1.0f);
+  const bool is_phong = options.specular_model == pipeline::SpecularModel::phong;
+  surface.phong_exponent = phong_shininess(coefficients.shininess);
+  // An exact exponent belongs to the model the user chose.
+  surface.material.shininess = is_phong && !exact.shininess ? surface.phong_exponent : coefficients.shininess;
+}
+
+/// The light that the surface gives off is added last, where no texture can multiply it.
+void set_emission(Surface& surface, const Material& material, const glm::vec3& emission,
+                  const SurfaceOptions& options, TextureCache& textures, SurfaceBuilder& builder) {
+  if (emission == glm::vec3(0.0f)) return;
+  if (builder.can_use(material.emissive_texture)) {
+    builder.add_emissive(material.emissive_texture, emission);
+    return;
+  }
+  glm::vec3 color = emission;
+  if (textures.usable(material.emissive_texture.texture)) {
+    color *= textures.mean(material.emissive_texture.texture, options.encoding);
+  }
+  if (surface.unit_count == 0) {
+    surface.material.emission = glm::vec4(color, 1.0f);
+  } else {
+    builder.add_constant(color);
+  }
+}
+
+void set_lit(Surface& surface, const Material& material, bool has_colors, const SurfaceOptions& options,
+             TextureCache& textures, SurfaceBuilder& builder) {
+  const SurfaceCoefficients coefficients = convert_material(
+      material, context_of(material, has_colors, options, textures), options.reflections, options.limits);
+  set_material(surface, coefficients, material.exact, options);
+  if (has_colors) {
+    surface.color = coefficients.diffuse;
+    surface.color_material = material.exact.ambient ? pipeline::ColorMaterial::diffuse
+                                                    : pipeline::ColorMaterial::ambient_and_diffuse;
+  }
+  const bool reflects = coefficients.reflectance != glm::vec3(0.0f);
+  if (reflects && coefficients.reflection_before_texture) builder.add_reflection(coefficients.reflectance);
+  if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
+  if (reflects && !coefficients.reflection_before_texture) builder.add_reflection(coefficients.reflectance);
+  set_emission(surface, material, coefficients.emission, options, textures, builder);
+}
+
+}  // namespace
+
+Surface make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
+                     const SurfaceOptions& options, TextureCache& textures) {
+  static const Material kDefaultMaterial;
+  const Material& source =
+      material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(material)];
+  Surface surface;
+  surface.texture_matrix.fill(glm::mat4(1.0f));
+  surface.alpha_mode = source.alpha_mode;
+  surface.alpha_cutoff = source.alpha_cutoff;
+  surface.double_sided = source.double_sided;
+  SurfaceBuilder builder(scene, options, textures, surface);
+  if (source.unlit || !has_normals) {
+    set_unlit(surface, source, builder);
+  } else {
+    set_lit(surface, source, has_colors, options, textures, builder);
+  }
+  if (surface.alpha_mode == AlphaMode::opaque) surface.color.a = surface.material.diffuse.a = 1.0f;
+  return surface;
+}
+
+}  // namespace barrido::scene

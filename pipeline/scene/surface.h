@@ -1,0 +1,47 @@
+// From a material to the state of a draw that depends on it alone: coefficients, texture units, alpha.
+// Enters: a material and the choices of technique; leaves: a Surface. Knows no lights, no view and no
+// geometry.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "pipeline/scene/material_conversion.h"
+#include "pipeline/scene/scene.h"
+#include "pipeline/scene/texture_cache.h"
+#include "pipeline/state.h"
+
+namespace barrido::scene {
+
+struct SurfaceOptions {
+  raster::Encoding encoding = raster::Encoding::srgb;  ///< Of colour pictures
+  bool textures = true;
+  std::optional<raster::MinFilter> min_filter;
+  std::optional<raster::MagFilter> mag_filter;
+  Reflections reflections = Reflections::metals;
+  pipeline::SpecularModel specular_model = pipeline::SpecularModel::blinn;
+  ConversionLimits limits;
+};
+
+struct Surface {
+  bool lit = true;
+  glm::vec4 color{1, 1, 1, 1};  ///< Of unlit surfaces, or what vertex colours are multiplied by
+  pipeline::ColorMaterial color_material = pipeline::ColorMaterial::none;
+  pipeline::Material material;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  std::array<raster::TextureUnit, raster::kMaxTextureUnits> units;
+  std::array<glm::mat4, raster::kMaxTextureUnits> texture_matrix{};
+  std::array<int, raster::kMaxTextureUnits> texcoord_set{kNone, kNone, kNone,
+                                                         kNone};  ///< TEXCOORD_n of a unit
+  int unit_count = 0;
+  int reflection_unit = kNone;  ///< The unit that is to have the environment's cube map
+  float phong_exponent = 0.0f;  ///< How wide a lobe the surface reflects
+};
+
+/// `has_normals` and `has_colors` tell what the primitive brings along: without normals it is unlit.
+Surface make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
+                     const SurfaceOptions& options, TextureCache& textures);
+
+}  // namespace barrido::scene

@@ -1,0 +1,117 @@
+#include "pipeline/scene/texture_cache.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/scene/transfer.h"
+
+namespace barrido::scene {
+namespace {
+
+using ByteTable = std::array<std::uint8_t, 256>;
+
+/// What each byte of a channel becomes when the light it stands for is multiplied by `factor`.
+ByteTable multiplied(float factor, raster::Encoding encoding) {
+  ByteTable table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto byte = static_cast<std::uint8_t>(i);
+    table[i] = encoding == raster::Encoding::srgb
+                   ? srgb8_from_linear(linear_from_srgb8(byte) * factor)
+                   : byte_from_fraction(static_cast<float>(byte) / 255.0f * factor);
+  }
+  return table;
+}
+
+std::vector<std::uint8_t> changed(const Image& image, const TexelUse& use) {
+  std::array<ByteTable, 3> tables;
+  for (int channel = 0; channel < 3; ++channel) {
+    tables[static_cast<std::size_t>(channel)] = multiplied(use.factor[channel], use.encoding);
+  }
+  std::vector<std::uint8_t> rgba = image.rgba;
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      rgba[i + channel] = tables[channel][rgba[i + channel]];
+    if (use.opaque) rgba[i + 3] = 255;
+  }
+  return rgba;
+}
+
+}  // namespace
+
+bool uses_mipmaps(raster::MinFilter filter) {
+  return filter != raster::MinFilter::nearest && filter != raster::MinFilter::linear;
+}
+
+bool TextureCache::usable(int texture) const {
+  if (texture == kNone) return false;
+  const int image = scene_.textures[static_cast<std::size_t>(texture)].image;
+  return image != kNone && !scene_.images[static_cast<std::size_t>(image)].rgba.empty();
+}
+
+bool TextureCache::has_alpha(int image) {
+  const auto [slot, is_new] = has_alpha_.try_emplace(image, false);
+  if (is_new) {
+    const std::vector<std::uint8_t>& rgba = scene_.images[static_cast<std::size_t>(image)].rgba;
+    for (std::size_t i = 3; i < rgba.size() && !slot->second; i += 4) slot->second = rgba[i] != 255;
+  }
+  return slot->second;
+}
+
+const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
+  const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
+  const bool removes_alpha = use.opaque && has_alpha(source.image);
+  const Key key{source.image,
+                source.wrap_s,
+                source.wrap_t,
+                use.encoding,
+                use.mipmaps,
+                removes_alpha,
+                {use.factor.r, use.factor.g, use.factor.b}};
+  const auto found = textures_.find(key);
+  if (found != textures_.end()) return found->second;
+
+  const Image& image = scene_.images[static_cast<std::size_t>(source.image)];
+  std::vector<std::uint8_t> own;
+  std::span<const std::uint8_t> rgba = image.rgba;
+  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed(image, use);
+  raster::TextureOptions options;
+  options.wrap_s = source.wrap_s;
+  options.wrap_t = source.wrap_t;
+  options.encoding = use.encoding;
+  options.mipmaps = use.mipmaps;
+  raster::Texture built = raster::Texture::make_2d({image.width, image.height, rgba}, options);
+  return textures_.emplace(key, std::move(built)).first->second;
+}
+
+const raster::Texture& TextureCache::white() {
+  if (!white_) {
+    const std::array<std::uint8_t, 4> texel{255, 255, 255, 255};
+    white_ = std::make_unique<raster::Texture>(raster::Texture::make_2d({1, 1, texel}, {}));
+  }
+  return *white_;
+}
+
+glm::vec3 TextureCache::mean(int texture, raster::Encoding encoding) {
+  const int index = scene_.textures[static_cast<std::size_t>(texture)].image;
+  const auto [slot, is_new] = means_.try_emplace({index, encoding}, glm::vec3(0.0f));
+  if (!is_new) return slot->second;
+  // Histograms first: sums of integers do not depend on the order, and decoding is done 256 times only.
+  std::array<std::array<std::uint64_t, 256>, 3> histogram{};
+  const Image& image = scene_.images[static_cast<std::size_t>(index)];
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    for (std::size_t channel = 0; channel < 3; ++channel) ++histogram[channel][image.rgba[i + channel]];
+  }
+  const auto texels = static_cast<double>(std::max<std::size_t>(image.rgba.size() / 4, 1));
+  for (int channel = 0; channel < 3; ++channel) {
+    double sum = 0.0;
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      const auto code = static_cast<std::uint8_t>(byte);
+      const double value = encoding == raster::Encoding::srgb ? linear_from_srgb8(code) : code / 255.0;
+      sum += value * static_cast<double>(histogram[static_cast<std::size_t>(channel)][byte]);
+    }
+    slot->second[channel] = static_cast<float>(sum / texels);
+  }
+  return slot->second;
+}
+
+}  // namespace barrido::scene

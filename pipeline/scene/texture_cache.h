@@ -1,0 +1,55 @@
+// Textures built once from a scene's pictures. Enters: which picture, how it is wrapped, filtered and
+// encoded; leaves: textures that live as long as the cache, and means of pictures.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <tuple>
+
+#include <glm/vec3.hpp>
+
+#include "pipeline/scene/scene.h"
+#include "raster/texture.h"
+
+namespace barrido::scene {
+
+/// What a texture is used for, as far as its texels depend on it.
+struct TexelUse {
+  raster::Encoding encoding = raster::Encoding::linear;
+  bool mipmaps = true;
+  bool opaque = false;        ///< Alpha counts as 1 in every texel.
+  glm::vec3 factor{1, 1, 1};  ///< The colours are multiplied by this, and clamped, before filtering.
+};
+
+bool uses_mipmaps(raster::MinFilter filter);
+
+class TextureCache {
+ public:
+  explicit TextureCache(const Scene& scene) : scene_(scene) {}
+
+  /// Whether the scene's texture `texture` (or kNone) has a picture that could be read.
+  bool usable(int texture) const;
+
+  /// Texture `texture` of the scene, which must be usable.
+  const raster::Texture& get(int texture, const TexelUse& use);
+
+  /// One white texel, for units that only combine constants.
+  const raster::Texture& white();
+
+  /// Mean of the picture's colours, decoded to linear light first when `encoding` is srgb.
+  glm::vec3 mean(int texture, raster::Encoding encoding);
+
+ private:
+  using Key = std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, std::array<float, 3>>;
+
+  bool has_alpha(int image);
+
+  const Scene& scene_;
+  std::map<int, bool> has_alpha_;
+  std::map<Key, raster::Texture> textures_;
+  std::map<std::pair<int, raster::Encoding>, glm::vec3> means_;
+  std::unique_ptr<raster::Texture> white_;
+};
+
+}  // namespace barrido::scene
