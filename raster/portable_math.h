@@ -31,12 +31,12 @@ inline float portable_log2(float x) {
   return p * s + static_cast<float>(exponent);
 }
 
-/// 2^x, relative error below 2e-7; 0 below 2^-126, and x above 127.99 counts as that. Same bits as the vector
+/// 2^x, relative error below 2e-7; 0 below 2^-126, and x above 127.49 counts as that. Same bits as the vector
 /// form.
 ///
 /// x = n + f with f in [−½, ½]; the Taylor polynomial of 2^f of degree 7 is exact to float precision there.
 inline float portable_exp2(float x) {
-  const float clamped = std::min(std::max(-126.0f, x), 127.99f);
+  const float clamped = std::min(std::max(-126.0f, x), 127.49f);
   const float n = std::floor(clamped + 0.5f);
   const float f = clamped - n;
   float p = 1.52527338e-5f;
