@@ -17,6 +17,14 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
+/// Bytes that are not cleared first: most of a compressor's worst case is never touched.
+struct Buffer {
+  std::unique_ptr<std::uint8_t[]> data;
+  std::size_t size = 0;
+
+  explicit Buffer(std::size_t bytes) : data(new std::uint8_t[bytes]), size(bytes) {}
+};
+
 struct CompressorDeleter {
   void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
@@ -50,12 +58,12 @@ struct Rows {
 };
 
 /// Rows [begin, end), each after its filter's number.
-Bytes filter_rows(const Rows& rows, int begin, int end, Filter filter) {
+Buffer filter_rows(const Rows& rows, int begin, int end, Filter filter) {
   const std::size_t bytes = rows.bytes();
-  Bytes filtered((bytes + 1) * static_cast<std::size_t>(end - begin));
+  Buffer filtered((bytes + 1) * static_cast<std::size_t>(end - begin));
   Bytes row(bytes), previous(bytes, 0);
   if (filter == Filter::up && begin > 0) rows.copy_row(begin - 1, previous.data());
-  std::uint8_t* out = filtered.data();
+  std::uint8_t* out = filtered.data.get();
   for (int y = begin; y < end; ++y, out += bytes) {
     *out++ = static_cast<std::uint8_t>(filter);
     if (filter == Filter::none) {
@@ -69,20 +77,24 @@ Bytes filter_rows(const Rows& rows, int begin, int end, Filter filter) {
   return filtered;
 }
 
+/// A zlib stream (RFC 1950).
+Buffer compress(libdeflate_compressor* compressor, const Buffer& raw) {
+  Buffer out(libdeflate_zlib_compress_bound(compressor, raw.size));
+  out.size = libdeflate_zlib_compress(compressor, raw.data.get(), raw.size, out.data.get(), out.size);
+  return out;
+}
+
 /// The filter that suits three bands of eight rows: a trial of some 3 % of a large picture, worth it
 /// because no simple rule tells the two kinds of pictures apart.
 Filter choose_filter(const Rows& rows, libdeflate_compressor* compressor) {
   constexpr int kBands = 3, kBandRows = 8;
   if (rows.height < kBands * kBandRows * 2) return Filter::none;
   std::array<std::size_t, 2> sizes{};
-  Bytes compressed;
   for (int band = 0; band < kBands; ++band) {
     const int begin = (rows.height - kBandRows) * (band + 1) / (kBands + 1);
     for (const Filter filter : {Filter::none, Filter::up}) {
-      const Bytes filtered = filter_rows(rows, begin, begin + kBandRows, filter);
-      compressed.resize(libdeflate_deflate_compress_bound(compressor, filtered.size()));
-      sizes[filter == Filter::up ? 1 : 0] += libdeflate_deflate_compress(
-          compressor, filtered.data(), filtered.size(), compressed.data(), compressed.size());
+      sizes[filter == Filter::up ? 1 : 0] +=
+          compress(compressor, filter_rows(rows, begin, begin + kBandRows, filter)).size;
     }
   }
   // Narrow bands hide most repetitions, so that `up` must win clearly: measured on rendered pictures, bands a
@@ -130,16 +142,13 @@ std::vector<std::uint8_t> encode_png(const ImageView& image, const WriteOptions&
 
   const Compressor compressor(libdeflate_alloc_compressor(std::clamp(options.png_compression, 0, 9)));
   if (!compressor) throw std::bad_alloc();
-  const Bytes filtered = filter_rows(rows, 0, rows.height, choose_filter(rows, compressor.get()));
+  const Filter filter = choose_filter(rows, compressor.get());
+  const Buffer compressed = compress(compressor.get(), filter_rows(rows, 0, rows.height, filter));
 
   Bytes png(kSignature.begin(), kSignature.end());
   append_header(png, rows);
   append_chunk(png, "IDAT", [&] {
-    const std::size_t start = png.size();
-    png.resize(start + libdeflate_zlib_compress_bound(compressor.get(), filtered.size()));
-    const std::size_t size = libdeflate_zlib_compress(compressor.get(), filtered.data(), filtered.size(),
-                                                      png.data() + start, png.size() - start);
-    png.resize(start + size);
+    png.insert(png.end(), compressed.data.get(), compressed.data.get() + compressed.size);
   });
   append_chunk(png, "IEND", [] {});
   return png;
