@@ -4,6 +4,7 @@
 #include <span>
 
 #include "pipeline/scene/environment_texels.h"
+#include "raster/portable_math.h"
 
 namespace barrido::scene {
 namespace {
