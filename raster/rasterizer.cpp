@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -17,7 +18,7 @@ namespace barrido::raster {
 namespace {
 
 std::uint8_t to_byte(float c) {
-  return static_cast<std::uint8_t>(std::min(std::max(c, 0.0f), 1.0f) * 255.0f + 0.5f);
+  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(c, 0.0f), 1.0f) * 255.0f));
 }
 
 std::uint32_t pack(const std::array<float, 4>& c) {

@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/planes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
@@ -136,6 +138,15 @@ inline bool needs_lod(const TextureUnit& unit) {
            (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
 }
 
+/// Gives each of `count` pixels from column x on the value of its group of four; up to three more are
+/// written.
+HWY_INLINE void spread_over_groups(const float* group_values, int x, int count, float* out) {
+  const hn::FixedTag<float, 4> d4;
+  const int in_first = std::min(4 - (x & 3), count);
+  for (int i = 0; i < in_first; ++i) out[i] = group_values[0];
+  for (int i = in_first, g = 1; i < count; i += 4, ++g) hn::StoreU(hn::Set(d4, group_values[g]), d4, out + i);
+}
+
 /// λ per group of four pixels, then spread over the run's fragments.
 HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentState& state, int unit, int x,
                                 int count, FragmentBatch& batch, int at) {
@@ -182,8 +193,7 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
     }
     hn::Store(lod, d, group_lod + g);
   }
-  float* out = batch.lod[unit] + at;
-  for (int i = 0; i < count; ++i) out[i] = group_lod[((x + i) >> 2) - (first_group >> 2)];
+  spread_over_groups(group_lod, x, count, batch.lod[unit] + at);
 }
 
 /// One value for each of `channels` arrays, for `count` fragments from `at` on.

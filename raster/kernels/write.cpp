@@ -113,32 +113,90 @@ HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, cons
   return channel == 3 ? one() : hn::Min(s.c[3], hn::Sub(one(), t.c[3]));
 }
 
-HWY_INLINE V blend_channel(const BlendState& blend, const Rgba& s, const Rgba& t, int channel) {
-  const V source = s.c[channel];
-  const V destination = t.c[channel];
-  if (blend.equation == BlendEquation::min) return hn::Min(source, destination);
-  if (blend.equation == BlendEquation::max) return hn::Max(source, destination);
-  const BlendFactor fs = channel == 3 ? blend.src_alpha : blend.src_rgb;
-  const BlendFactor fd = channel == 3 ? blend.dst_alpha : blend.dst_rgb;
-  const V a = hn::Mul(source, blend_factor(fs, s, t, blend, channel));
-  const V b = hn::Mul(destination, blend_factor(fd, s, t, blend, channel));
-  switch (blend.equation) {
-    case BlendEquation::subtract:
-      return hn::Sub(a, b);
-    case BlendEquation::reverse_subtract:
-      return hn::Sub(b, a);
-    default:
-      return hn::Add(a, b);
-  }
-}
+/// No blending: the source replaces what is there.
+struct Replace {
+  static constexpr bool kReads = false;
+  explicit Replace(const BlendState&) {}
+  HWY_INLINE Rgba operator()(const Rgba& source, const Rgba&) const { return source; }
+};
 
+/// Factors that are the same for all fragments, added: kept in registers.
+struct BlendConstant {
+  static constexpr bool kReads = true;
+  Rgba source, destination;
+
+  static bool fits(const BlendState& blend) {
+    const auto constant = [](BlendFactor f) {
+      return f == BlendFactor::zero || f == BlendFactor::one ||
+             (f >= BlendFactor::constant_color && f <= BlendFactor::one_minus_constant_alpha);
+    };
+    return blend.equation == BlendEquation::add && constant(blend.src_rgb) && constant(blend.dst_rgb) &&
+           constant(blend.src_alpha) && constant(blend.dst_alpha);
+  }
+  explicit BlendConstant(const BlendState& blend) {
+    const V zero = hn::Zero(F());
+    const Rgba none{{zero, zero, zero, zero}};
+    for (int c = 0; c < 4; ++c) {
+      source.c[c] = blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, none, none, blend, c);
+      destination.c[c] = blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, none, none, blend, c);
+    }
+  }
+  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
+    Rgba out;
+    for (int c = 0; c < 4; ++c)
+      out.c[c] = hn::Add(hn::Mul(s.c[c], source.c[c]), hn::Mul(t.c[c], destination.c[c]));
+    return out;
+  }
+};
+
+/// The usual transparency: source alpha, one minus source alpha.
+struct BlendSourceAlpha {
+  static constexpr bool kReads = true;
+
+  static bool fits(const BlendState& blend) {
+    return blend.equation == BlendEquation::add && blend.src_rgb == BlendFactor::src_alpha &&
+           blend.src_alpha == BlendFactor::src_alpha && blend.dst_rgb == BlendFactor::one_minus_src_alpha &&
+           blend.dst_alpha == BlendFactor::one_minus_src_alpha;
+  }
+  explicit BlendSourceAlpha(const BlendState&) {}
+  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
+    const V behind = hn::Sub(one(), s.c[3]);
+    Rgba out;
+    for (int c = 0; c < 4; ++c) out.c[c] = hn::Add(hn::Mul(s.c[c], s.c[3]), hn::Mul(t.c[c], behind));
+    return out;
+  }
+};
+
+/// Any factors and equation.
+struct BlendGeneral {
+  static constexpr bool kReads = true;
+  const BlendState& blend;
+
+  explicit BlendGeneral(const BlendState& b) : blend(b) {}
+  HWY_INLINE V channel(const Rgba& s, const Rgba& t, int c) const {
+    if (blend.equation == BlendEquation::min) return hn::Min(s.c[c], t.c[c]);
+    if (blend.equation == BlendEquation::max) return hn::Max(s.c[c], t.c[c]);
+    const V a = hn::Mul(s.c[c], blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, s, t, blend, c));
+    const V b = hn::Mul(t.c[c], blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, s, t, blend, c));
+    if (blend.equation == BlendEquation::subtract) return hn::Sub(a, b);
+    return blend.equation == BlendEquation::reverse_subtract ? hn::Sub(b, a) : hn::Add(a, b);
+  }
+  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
+    return {{channel(s, t, 0), channel(s, t, 1), channel(s, t, 2), channel(s, t, 3)}};
+  }
+};
+
+/// Rounded to 8 bits a channel. Adding 2^23 leaves the nearest integer, ties to even, in the low bits of the
+/// sum.
 HWY_INLINE auto pack8(const Rgba& color) {
   const hn::RebindToSigned<F> di;
   const auto byte = [&](int c) HWY_ATTR {
-    return hn::ConvertTo(di, hn::Add(hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f)), hn::Set(F(), 0.5f)));
+    const V scaled = hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f));
+    return hn::BitCast(di, hn::Add(scaled, hn::Set(F(), 8388608.0f)));
   };
-  return hn::Or(hn::Or(byte(0), hn::ShiftLeft<8>(byte(1))),
-                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
+  return hn::Or(
+      hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::And(hn::ShiftLeft<8>(byte(1)), hn::Set(di, 0xff00))),
+      hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
 }
 
 template <class VI>
@@ -202,12 +260,13 @@ HWY_INLINE M alpha_test(const FragmentBatch& batch, int i, M mask, float* depth)
   return mask;
 }
 
-template <class Surface>
+template <class Surface, class Blend>
 void store_runs(const FragmentBatch& batch, TileSurface& tile) {
   const F d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const FragmentState& state = *batch.state;
   const Surface surface(tile);
+  const Blend blend(state.blend);
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     const int pixel = run.y * kTileWidth + run.x;
@@ -217,26 +276,33 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
       if (state.alpha_test.enabled) mask = alpha_test(batch, i, mask, tile.depth + at);
       Rgba color{{hn::LoadU(d, batch.color[0] + i), hn::LoadU(d, batch.color[1] + i),
                   hn::LoadU(d, batch.color[2] + i), hn::LoadU(d, batch.color[3] + i)}};
-      if (state.blend.enabled) {
-        Rgba source = color;
+      if constexpr (Blend::kReads) {
         if constexpr (Surface::kClampsSource) {
-          for (V& c : source.c) c = clamp01(c);
+          for (V& c : color.c) c = clamp01(c);
         }
-        const Rgba destination = surface.read(at);
-        for (int c = 0; c < 4; ++c) color.c[c] = blend_channel(state.blend, source, destination, c);
+        color = blend(color, surface.read(at));
       }
       surface.write(color, mask, state.color_mask, at);
     }
   }
 }
 
+template <class Surface>
+void store_batch(const FragmentBatch& batch, TileSurface& tile) {
+  const BlendState& blend = batch.state->blend;
+  if (!blend.enabled) return store_runs<Surface, Replace>(batch, tile);
+  if (BlendConstant::fits(blend)) return store_runs<Surface, BlendConstant>(batch, tile);
+  if (BlendSourceAlpha::fits(blend)) return store_runs<Surface, BlendSourceAlpha>(batch, tile);
+  store_runs<Surface, BlendGeneral>(batch, tile);
+}
+
 void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
   if (batch.state->separate_specular) add_specular(batch);
   if (batch.state->fog.enabled) apply_fog(batch);
   if (surface.format == ColorFormat::rgba8) {
-    store_runs<Surface8>(batch, surface);
+    store_batch<Surface8>(batch, surface);
   } else {
-    store_runs<SurfaceFloat>(batch, surface);
+    store_batch<SurfaceFloat>(batch, surface);
   }
 }
 

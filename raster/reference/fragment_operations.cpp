@@ -1,5 +1,7 @@
 #include "raster/reference/fragment_operations.h"
 
+#include <cmath>
+
 #include <bit>
 
 namespace barrido::raster::reference {
@@ -114,7 +116,7 @@ Color blend(const BlendState& state, const Color& source, const Color& destinati
 std::uint32_t pack_rgba8(const Color& color) {
   std::array<std::uint8_t, 4> bytes{};
   for (std::size_t c = 0; c < 4; ++c) {
-    bytes[c] = static_cast<std::uint8_t>(static_cast<int>(clamp_to_unit(color[c]) * 255.0f + 0.5f));
+    bytes[c] = static_cast<std::uint8_t>(std::nearbyint(clamp_to_unit(color[c]) * 255.0f));
   }
   return std::bit_cast<std::uint32_t>(bytes);
 }
