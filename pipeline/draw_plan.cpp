@@ -1,0 +1,187 @@
+#include "pipeline/draw_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/bounded.h"
+#include "pipeline/checks.h"
+#include "pipeline/fragment_shading.h"
+#include "pipeline/matrix.h"
+
+namespace barrido::pipeline {
+namespace {
+
+Viewport resolved(const Viewport& viewport, FrameSize frame) {
+  Viewport v = viewport;
+  if (v.width == 0) v.width = frame.width;
+  if (v.height == 0) v.height = frame.height;
+  return v;
+}
+
+raster::Topology topology_of(const State& state, PrimitiveMode mode) {
+  if (mode == PrimitiveMode::points) return raster::Topology::points;
+  if (!is_polygonal(mode)) return raster::Topology::lines;
+  return state.polygon_mode == PolygonMode::fill   ? raster::Topology::triangles
+         : state.polygon_mode == PolygonMode::line ? raster::Topology::lines
+                                                   : raster::Topology::points;
+}
+
+/// Triangles and lines are clipped to a guard band that is wider than the viewport; what sticks out of the
+/// viewport is cut off by the scissor. (Points are drawn whole when their middle is inside.)
+raster::Scissor scissor_of(const State& state, const Viewport& viewport, FrameSize frame,
+                           raster::Topology topology) {
+  const bool covers_frame = viewport.x <= 0 && viewport.y <= 0 &&
+                            viewport.x + viewport.width >= frame.width &&
+                            viewport.y + viewport.height >= frame.height;
+  if (covers_frame || topology == raster::Topology::points) return state.scissor;
+  const raster::Scissor view{true, viewport.x, viewport.y, viewport.width, viewport.height};
+  if (!state.scissor.enabled) return view;
+  const raster::Scissor& s = state.scissor;
+  const auto end = [](int begin, int size) { return static_cast<std::int64_t>(begin) + size; };
+  const int x = std::max(s.x, view.x);
+  const int y = std::max(s.y, view.y);
+  const std::int64_t width = std::min(end(s.x, s.width), end(view.x, view.width)) - x;
+  const std::int64_t height = std::min(end(s.y, s.height), end(view.y, view.height)) - y;
+  return {true, x, y, static_cast<int>(std::max<std::int64_t>(width, 0)),
+          static_cast<int>(std::max<std::int64_t>(height, 0))};
+}
+
+raster::FragmentState fragment_state(const State& state) {
+  raster::FragmentState f;
+  f.texture_units = state.texture_units;
+  f.clamp_colors = state.clamp_colors;
+  f.fog = state.fog;
+  f.alpha_test = state.alpha_test;
+  f.depth = state.depth;
+  f.polygon_offset = state.polygon_offset;
+  f.blend = state.blend;
+  f.color_mask = state.color_mask;
+  return f;
+}
+
+CullRule cull_rule(const State& state) {
+  const CullFace cull = state.cull_face;
+  return {cull == CullFace::none || cull == CullFace::back, cull == CullFace::none || cull == CullFace::front,
+          state.front_face == FrontFace::counter_clockwise};
+}
+
+/// Eye from object space for normals, with GL_RESCALE_NORMAL's factor 1/√(m31² + m32² + m33²) of the inverse
+/// (OpenGL 1.3, section 2.10.3).
+glm::mat3 eye_normals(const State& state) {
+  glm::dmat3 m = normal_matrix(bounded(glm::dmat4(state.eye_from_object)));
+  if (state.rescale_normal) {
+    const glm::dvec3 row(m[0][2], m[1][2], m[2][2]);
+    const double length = std::sqrt(row.x * row.x + row.y * row.y + row.z * row.z);
+    if (length > 0.0) m /= length;
+  }
+  // What is normalized afterwards may be scaled first, so that no element is out of bounds.
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(m[c][r]));
+  }
+  if (state.normalize && largest > 0.0) m /= largest;
+  return {bounded(m[0]), bounded(m[1]), bounded(m[2])};
+}
+
+VertexTransform vertex_transform(const State& state, const Geometry& geometry, const Viewport& viewport) {
+  VertexTransform t;
+  t.eye_from_object = bounded(glm::dmat4(state.eye_from_object));
+  t.clip_from_object =
+      bounded(glm::dmat4(product(bounded(glm::dmat4(state.clip_from_eye)), t.eye_from_object)));
+  t.eye_normal_from_object = eye_normals(state);
+  t.normalize = state.normalize;
+  t.unit_w = has_unit_w(state, geometry);
+  const glm::mat4& m = state.eye_from_object;
+  t.unit_eye_w = geometry.position.components < 4 && m[0][3] == 0.0f && m[1][3] == 0.0f && m[2][3] == 0.0f &&
+                 m[3][3] == 1.0f;
+  t.depth_clamp = state.depth_clamp;
+  for (const glm::vec4& plane : state.clip_planes) {  // plane · (M p) = (Mᵀ plane) · p
+    t.planes[t.plane_count++] =
+        bounded(glm::transpose(glm::dmat4(t.eye_from_object)) * glm::dvec4(bounded(glm::dvec4(plane))));
+  }
+  t.window_scale = {0.5f * static_cast<float>(viewport.width), 0.5f * static_cast<float>(viewport.height),
+                    0.5f * (viewport.depth_far - viewport.depth_near)};
+  t.window_offset = {static_cast<float>(viewport.x) + t.window_scale.x,
+                     static_cast<float>(viewport.y) + t.window_scale.y,
+                     0.5f * (viewport.depth_near + viewport.depth_far)};
+  return t;
+}
+
+TexcoordPlan texcoord_plan(const TextureCoordinates& rules, std::size_t unit,
+                           const raster::VaryingLayout& layout) {
+  TexcoordPlan plan;
+  plan.offset = layout.texcoord[unit];
+  plan.kind = layout.texcoord_kind[unit];
+  plan.rules = rules;
+  plan.rules.matrix = bounded(glm::dmat4(rules.matrix));
+  bool generated = false;
+  for (TexGenCoordinate& c : plan.rules.generation) {
+    c.object_plane = bounded(glm::dvec4(c.object_plane));
+    c.eye_plane = bounded(glm::dvec4(c.eye_plane));
+    generated |= c.enabled;
+  }
+  plan.as_given = !generated && rules.matrix == glm::mat4(1.0f);
+  if (plan.as_given && plan.kind != raster::TexcoordKind::projective) {
+    plan.given_components = plan.kind == raster::TexcoordKind::cube ? 3 : 2;
+  }
+  return plan;
+}
+
+raster::FlatColors constant_colors(const glm::vec4& color, bool clamp) {
+  raster::FlatColors flat{};
+  for (int c = 0; c < 4; ++c) {
+    flat.color[c] = clamp ? std::clamp(bounded(color[c]), 0.0f, 1.0f) : bounded(color[c]);
+  }
+  return flat;
+}
+
+}  // namespace
+
+DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame,
+                   FragmentCounters& fragment_counters)
+    : point_size(state.point_size),
+      line_width(state.line_width),
+      cheap_phong_power(state.cheap_phong_power),
+      clamp_colors(state.clamp_colors),
+      cull(cull_rule(state)),
+      counters(&fragment_counters) {
+  check(state);
+  check(geometry);
+  const Viewport viewport = resolved(state.viewport, frame);
+  topology = topology_of(state, geometry.mode);
+  transform = vertex_transform(state, geometry, viewport);
+  const bool has_colors = geometry.color.data != nullptr;
+  if (state.lighting.enabled) {
+    illumination = compile_illumination(state.lighting, has_colors ? nullptr : &geometry.constant_color);
+  }
+  const Illumination* lit = illumination ? &*illumination : nullptr;
+  shading = choose_shading(state, geometry, lit);
+  constant_color = constant_colors(geometry.constant_color, clamp_colors);
+
+  fragment = fragment_state(state);
+  fragment.scissor = scissor_of(state, viewport, frame, topology);
+  fragment.varyings = make_layout(varying_needs(state, geometry, shading, lit));
+  fragment.separate_specular = lit != nullptr && lit->separate_specular;
+  fragment.illumination = fragment_illumination(*this);
+
+  needs_normal = lit != nullptr;
+  needs_point = (lit != nullptr && lit->needs_position) || state.fog.enabled;
+  needs_color = lit != nullptr ? lit->tracks_color : has_colors;
+  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
+    texcoords[unit] = texcoord_plan(state.texture_coordinates[unit], unit, fragment.varyings);
+    if (texcoords[unit].offset == raster::kAbsent) continue;
+    for (const TexGenCoordinate& c : texcoords[unit].rules.generation) {
+      if (!c.enabled) continue;
+      needs_eye |= c.mode == TexGenMode::eye_linear;
+      needs_point |= c.mode == TexGenMode::sphere_map || c.mode == TexGenMode::reflection_map;
+      needs_normal |= c.mode >= TexGenMode::sphere_map;
+    }
+  }
+  const bool two_sided = lit != nullptr && lit->two_sided && is_polygonal(geometry.mode);
+  has_back_side = two_sided && cull.keep_back &&
+                  (shading == Shading::per_vertex || shading == Shading::flat_provoking ||
+                   shading == Shading::cheap_phong);
+  marks_back_faces = two_sided && is_lit_per_fragment(shading);
+}
+
+}  // namespace barrido::pipeline

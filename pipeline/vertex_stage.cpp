@@ -1,0 +1,146 @@
+#include "pipeline/vertex_stage.h"
+
+namespace barrido::pipeline {
+namespace {
+
+using raster::kAbsent;
+using Columns = std::array<const float*, raster::kMaxVaryings>;
+
+void place(Columns& columns, int offset, const BatchArray* arrays, int count) {
+  for (int i = 0; offset != kAbsent && i < count; ++i) {
+    columns[static_cast<std::size_t>(offset + i)] = arrays[i];
+  }
+}
+
+SurfacePoints surface_points(const VertexBatch& batch, int side) {
+  SurfacePoints points;
+  points.count = batch.count;
+  points.normal = {batch.normal[0], batch.normal[1], batch.normal[2]};
+  points.position = {batch.point[0], batch.point[1], batch.point[2]};
+  points.color = {batch.color[0], batch.color[1], batch.color[2], batch.color[3]};
+  points.back = side == 1;
+  return points;
+}
+
+/// The vertices' colours as interpolated or kept: lit from one side, or as given. Primary, then secondary.
+BatchArray* make_colors(const DrawPlan& plan, int side, VertexBatch& batch) {
+  BatchArray* colors = plan.illumination ? batch.lit : batch.color;
+  if (plan.illumination) {
+    const LitColors out{{batch.lit[0], batch.lit[1], batch.lit[2], batch.lit[3]},
+                        {batch.lit[4], batch.lit[5], batch.lit[6]}};
+    illuminate(*plan.illumination, surface_points(batch, side), out);
+  }
+  const int channels = plan.illumination && plan.illumination->separate_specular ? 7 : 4;
+  for (int c = 0; c < channels; ++c) bound_column(batch.count, plan.clamp_colors, colors[c]);
+  return colors;
+}
+
+void make_dots(const DrawPlan& plan, int side, VertexBatch& batch) {
+  std::array<float*, raster::kMaxVaryings> columns;
+  const auto count = static_cast<std::size_t>(cheap_phong_varyings(*plan.illumination));
+  for (std::size_t i = 0; i < count; ++i) columns[i] = batch.dots[i];
+  cheap_phong_dots(*plan.illumination, plan.cheap_phong_power, surface_points(batch, side),
+                   {columns.data(), count});
+}
+
+void make_coordinates(const DrawPlan& plan, const Geometry& geometry, std::uint32_t first, VertexBatch& batch,
+                      Columns& columns) {
+  for (std::size_t unit = 0; unit < plan.texcoords.size(); ++unit) {
+    const TexcoordPlan& texcoord = plan.texcoords[unit];
+    if (texcoord.offset == kAbsent) continue;
+    BatchArray* coordinate = batch.coordinate[unit];
+    fetch_attribute(geometry.texcoord[unit], geometry.constant_texcoord[unit], first, batch.count,
+                    texcoord.given_components, true, coordinate);
+    if (!texcoord.as_given) generate_coordinates(texcoord.rules, batch, coordinate);
+    const bool plain = texcoord.kind == raster::TexcoordKind::plain;
+    place(columns, texcoord.offset, coordinate, plain ? 2 : 3);
+    if (texcoord.kind == raster::TexcoordKind::projective) {
+      columns[static_cast<std::size_t>(texcoord.offset + 2)] = coordinate[3];
+    }
+  }
+}
+
+/// Colours of one side for flat shading, one element a vertex.
+void store_flat_colors(const BatchArray* colors, bool secondary, int count, raster::FlatColors* out) {
+  for (int i = 0; i < count; ++i) {
+    for (int c = 0; c < 4; ++c) out[i].color[c] = colors[c][i];
+    for (int c = 0; c < 3; ++c) out[i].specular[c] = secondary ? colors[4 + c][i] : 0.0f;
+  }
+}
+
+void store_surfaces(const DrawPlan& plan, const VertexBatch& batch, SurfaceVertex* out) {
+  for (int i = 0; i < batch.count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      out[i].position[axis] = plan.needs_point ? batch.point[axis][i] : 0.0f;
+      out[i].normal[axis] = plan.needs_normal ? batch.normal[axis][i] : 0.0f;
+    }
+    for (int c = 0; c < 4; ++c) out[i].color[c] = plan.needs_color ? batch.color[c][i] : 0.0f;
+  }
+}
+
+void fetch_and_transform(const DrawPlan& plan, const Geometry& geometry, std::uint32_t first,
+                         VertexBatch& batch, PackedPosition* positions) {
+  fetch_attribute(geometry.position, {0, 0, 0, 1}, first, batch.count, 4, false, batch.object);
+  project_positions(plan.transform, batch, positions);
+  if (plan.needs_eye || plan.needs_point) transform_to_eye(plan.transform, batch, plan.needs_point);
+  if (plan.needs_normal) {
+    fetch_attribute(geometry.normal, glm::vec4(geometry.constant_normal, 0.0f), first, batch.count, 3, true,
+                    batch.normal);
+    transform_normals(plan.transform, batch);
+  }
+  if (plan.needs_color) {
+    fetch_attribute(geometry.color, geometry.constant_color, first, batch.count, 4, true, batch.color);
+  }
+}
+
+}  // namespace
+
+TransformedVertices allocate_vertices(const DrawPlan& plan, std::uint32_t first, std::uint32_t count,
+                                      FrameMemory& memory) {
+  TransformedVertices v;
+  v.first = first;
+  v.count = count;
+  v.capacity = (count + kVertexPadding - 1) / kVertexPadding * kVertexPadding;
+  v.stride = plan.stride();
+  const std::size_t sides = static_cast<std::size_t>(v.capacity) * static_cast<std::size_t>(plan.sides());
+  v.positions = memory.allocate<PackedPosition>(v.capacity);
+  v.records = memory.allocate<float>(sides * static_cast<std::size_t>(v.stride));
+  if (plan.shading == Shading::flat_provoking) v.flat_colors = memory.allocate<raster::FlatColors>(sides);
+  if (plan.shading == Shading::flat_centroid) v.surfaces = memory.allocate<SurfaceVertex>(v.capacity);
+  return v;
+}
+
+void run_vertex_stage(const DrawPlan& plan, const Geometry& geometry, std::uint32_t begin, int count,
+                      const TransformedVertices& out) {
+  VertexBatch batch;
+  batch.count = count;
+  const std::uint32_t first = out.first + begin;
+  fetch_and_transform(plan, geometry, first, batch, out.positions + begin);
+
+  const raster::VaryingLayout& layout = plan.fragment.varyings;
+  Columns columns{};
+  make_coordinates(plan, geometry, first, batch, columns);
+  place(columns, layout.normal, batch.normal, 3);
+  place(columns, layout.eye_position, batch.point, 3);
+  place(columns, layout.fog, &batch.point[2], 1);
+  place(columns, layout.color, batch.color, 4);
+  const int dots = plan.shading == Shading::cheap_phong ? cheap_phong_varyings(*plan.illumination) : 0;
+  place(columns, layout.dots, batch.dots, dots);
+
+  for (int side = 0; side < plan.sides(); ++side) {
+    const std::size_t at = begin + static_cast<std::size_t>(side) * out.capacity;
+    if (plan.shading == Shading::per_vertex || plan.shading == Shading::flat_provoking) {
+      const BatchArray* colors = make_colors(plan, side, batch);
+      place(columns, layout.color, colors, 4);
+      place(columns, layout.specular, colors + 4, 3);
+      const bool secondary = plan.fragment.separate_specular;
+      if (out.flat_colors != nullptr) store_flat_colors(colors, secondary, count, out.flat_colors + at);
+    }
+    if (plan.shading == Shading::cheap_phong) make_dots(plan, side, batch);
+    store_records(batch, columns.data(), layout.count, layout.affine_count,
+                  out.records + at * static_cast<std::size_t>(out.stride), out.stride);
+  }
+  if (out.surfaces != nullptr) store_surfaces(plan, batch, out.surfaces + begin);
+}
+
+}  // namespace barrido::pipeline
