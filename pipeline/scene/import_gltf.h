@@ -9,8 +9,19 @@
 
 namespace barrido::scene {
 
+/// What materials use images for; a union of these chooses which ones are worth decoding.
+enum ImageRole : unsigned {
+  kBaseColorImage = 1,
+  kMetallicRoughnessImage = 2,
+  kNormalImage = 4,
+  kOcclusionImage = 8,
+  kEmissiveImage = 16,
+  kAllImages = 31
+};
+
 struct ImportOptions {
   bool load_images = true;
+  unsigned image_roles = kAllImages;  ///< Images used in no other role stay empty (width 0).
   std::uint64_t max_file_bytes = std::uint64_t{1} << 31;  ///< Of any one file read.
   std::uint64_t max_vertices = 100'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;  ///< Of any one image.

@@ -1,0 +1,56 @@
+// Bytes of model files: a shared, immutable block, read from a regular file below a size limit or decoded
+// from a data URI. Problems are values; knows nothing of what the bytes mean.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace barrido::scene::gltf {
+
+/// Bytes that live as long as any copy of the block; the first stands at an address divisible by 16.
+class ByteBlock {
+ public:
+  ByteBlock() = default;
+  /// Memory for `size` bytes, not initialised.
+  static ByteBlock allocate(std::size_t size);
+
+  std::span<const std::uint8_t> bytes() const { return {data_.get(), size_}; }
+  std::uint8_t* writable() { return data_.get(); }
+  std::size_t size() const { return size_; }
+  std::shared_ptr<const void> owner() const { return data_; }
+
+ private:
+  std::shared_ptr<std::uint8_t[]> data_;
+  std::size_t size_ = 0;
+};
+
+/// Either bytes or the reason why there are none.
+struct Content {
+  ByteBlock block;
+  std::string problem;  ///< Empty when all is well.
+};
+
+/// The whole of a regular file (no folder, device or pipe) of at most `max_bytes`.
+Content read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes);
+
+/// Either a path or the reason why there is none.
+struct ResolvedPath {
+  std::filesystem::path path;
+  std::string problem;
+};
+
+/// The file that a relative URI of a model means: percent-decoded, symbolic links followed, and refused
+/// unless it exists in `folder` or below. Nothing is opened.
+ResolvedPath resolve_uri(const std::filesystem::path& folder, std::string_view uri);
+
+bool is_data_uri(std::string_view uri);
+
+/// The bytes of a data URI (RFC 2397), in base64 (RFC 4648, section 4) or percent-encoded, whatever its media
+/// type.
+Content decode_data_uri(std::string_view uri);
+
+}  // namespace barrido::scene::gltf
