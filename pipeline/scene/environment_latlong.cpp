@@ -28,38 +28,41 @@ constexpr std::size_t kTop = 2, kBottom = 3;
 /// The picture as a function on the sphere, bilinear between the centres of its pixels.
 class Panorama {
  public:
-  Panorama(const TexelReader& reader) : reader_(reader) {}
+  explicit Panorama(const TexelReader& reader) : reader_(reader) {}
 
-  /// Radians; any longitude from −2π to 2π, latitude in [−π/2, π/2].
+  /// Radians; longitude in [−2π, 2π], latitude in [−π/2, π/2].
   std::array<float, 4> sample(double longitude, double latitude) const {
-    const double x = (0.5 + longitude / (2 * kPi)) * reader_.width() - 0.5;
-    const double y = (0.5 - latitude / kPi) * reader_.height() - 0.5;
-    const double x0 = std::floor(x);
-    const double y0 = std::floor(y);
-    const auto fx = static_cast<float>(x - x0);
-    const auto fy = static_cast<float>(y - y0);
-    const int i = static_cast<int>(x0);
-    const int j = static_cast<int>(y0);
-    const auto a = texel(i, j), b = texel(i + 1, j), c = texel(i, j + 1), d = texel(i + 1, j + 1);
+    // One turn, and one row, more than needed: truncation is floor where nothing is negative.
+    const double x = (1.5 + longitude / (2 * kPi)) * reader_.width() - 0.5;
+    const double y = (0.5 - latitude / kPi) * reader_.height() + 0.5;
+    const int i = static_cast<int>(x);
+    const int j = static_cast<int>(y);
+    const auto fx = static_cast<float>(x - i);
+    const auto fy = static_cast<float>(y - j);
+    const auto upper = row_sample(i, j - 1, fx);
+    const auto lower = row_sample(i, j, fx);
     std::array<float, 4> result{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float upper = a[k] + fx * (b[k] - a[k]);
-      const float lower = c[k] + fx * (d[k] - c[k]);
-      result[k] = upper + fy * (lower - upper);
-    }
+    for (std::size_t k = 0; k < 4; ++k) result[k] = upper[k] + fy * (lower[k] - upper[k]);
     return result;
   }
 
  private:
   /// Left and right edges meet; beyond a pole the picture goes on at the opposite longitude.
-  std::array<float, 4> texel(int i, int j) const {
-    const int width = reader_.width();
-    if (j < 0 || j >= reader_.height()) {
-      i += width / 2;
-      j = std::clamp(j, 0, reader_.height() - 1);
-    }
-    i %= width;
-    return reader_.texel(i < 0 ? i + width : i, j);
+  std::array<float, 4> row_sample(int i, int j, float fx) const {
+    const bool beyond_pole = j < 0 || j >= reader_.height();
+    const int left = wrap(beyond_pole ? i + reader_.width() / 2 : i);
+    const int right = wrap(left + 1);
+    const int row = std::clamp(j, 0, reader_.height() - 1);
+    const auto a = reader_.texel(left, row), b = reader_.texel(right, row);
+    std::array<float, 4> result{};
+    for (std::size_t k = 0; k < 4; ++k) result[k] = a[k] + fx * (b[k] - a[k]);
+    return result;
+  }
+
+  /// For i in [0, 4·width).
+  int wrap(int i) const {
+    if (i >= 2 * reader_.width()) i -= 2 * reader_.width();
+    return i >= reader_.width() ? i - reader_.width() : i;
   }
 
   const TexelReader& reader_;
