@@ -6,18 +6,6 @@
 namespace barrido::raster {
 namespace {
 
-/// The primary colour where no illumination makes it: interpolated, or already filled in when flat.
-void take_varying_colors(FragmentBatch& batch) {
-  const VaryingLayout& layout = batch.state->varyings;
-  const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(batch.count);
-  for (int c = 0; layout.color != kAbsent && c < 4; ++c) {
-    std::memcpy(batch.color[c], batch.varying[layout.color + c], bytes);
-  }
-  for (int c = 0; layout.specular != kAbsent && c < 3; ++c) {
-    std::memcpy(batch.specular[c], batch.varying[layout.specular + c], bytes);
-  }
-}
-
 bool reads_primary(const FragmentState& state) {
   for (const TextureUnit& unit : state.texture_units) {
     if (unit.texture != nullptr && unit.env_mode == TextureEnvMode::combine) return true;
@@ -30,12 +18,9 @@ bool reads_primary(const FragmentState& state) {
 void shade_batch(TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
   const FragmentState& state = *batch.state;
-  if (state.illumination.function != nullptr) {
+  if (state.illumination.function != nullptr)
     state.illumination.function(state.illumination.parameters, batch);
-  } else {
-    take_varying_colors(batch);
-  }
-  if (state.clamp_colors) clamp_colors(batch);
+  start_colors(batch);
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_active(state, unit)) continue;

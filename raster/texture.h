@@ -63,6 +63,17 @@ struct MipLevel {
   std::size_t offset_bytes = 0;  ///< Of texel (-1, -1) from Texture::data().
 };
 
+/// Where the levels stand, in texels from Texture::data(), by level number: what address arithmetic looks up.
+/// Entries past the last level repeat it.
+struct TexelLevels {
+  static constexpr int kMaxLevels = 16;
+  std::int32_t width[kMaxLevels];
+  std::int32_t height[kMaxLevels];
+  std::int32_t pitch[kMaxLevels];
+  std::int32_t origin[kMaxLevels];       ///< Of texel (0, 0) of face 0.
+  std::int32_t face_stride[kMaxLevels];  ///< From one face to the next; 0 when there is one face.
+};
+
 /// Order of a cube map's faces, OpenGL's: +X −X +Y −Y +Z −Z.
 inline constexpr int kCubeFaces = 6;
 
@@ -87,6 +98,7 @@ class Texture {
   const MipLevel& level(int level, int face = 0) const {
     return levels_[static_cast<std::size_t>(level * face_count_ + face)];
   }
+  const TexelLevels& texel_levels() const { return texel_levels_; }
   const std::uint8_t* data() const { return data_.data(); }
 
   /// The texel at (i, j) of a level, apron included, in [0, 1]; for tests, views and the scalar reference.
@@ -103,6 +115,7 @@ class Texture {
   int face_count_ = 1;
   int level_count_ = 0;
   std::vector<MipLevel> levels_;  // level-major: level × face_count_ + face
+  TexelLevels texel_levels_{};
   std::vector<std::uint8_t> data_;
 };
 

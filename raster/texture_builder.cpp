@@ -45,6 +45,24 @@ void quantize_border(const std::array<float, 4>& color, Channel out[4]) {
 
 std::size_t bytes_per_texel(TexelFormat format) { return format == TexelFormat::rgba8 ? 4 : 8; }
 
+TexelLevels list_levels(const Texture& texture) {
+  const std::size_t texel_bytes = bytes_per_texel(texture.format());
+  TexelLevels list{};
+  for (int entry = 0; entry < TexelLevels::kMaxLevels; ++entry) {
+    const int number = std::min(entry, texture.level_count() - 1);
+    const MipLevel& level = texture.level(number);
+    list.width[entry] = level.width;
+    list.height[entry] = level.height;
+    list.pitch[entry] = level.pitch_texels;
+    list.origin[entry] = static_cast<std::int32_t>(level.offset_bytes / texel_bytes) + level.pitch_texels + 1;
+    if (texture.is_cube()) {
+      const std::size_t face_bytes = texture.level(number, 1).offset_bytes - level.offset_bytes;
+      list.face_stride[entry] = static_cast<std::int32_t>(face_bytes / texel_bytes);
+    }
+  }
+  return list;
+}
+
 }  // namespace
 
 Texture TextureBuilder::build(std::span<const Pixels8> base_levels, int face_count, bool complete_chain,
@@ -84,6 +102,7 @@ void TextureBuilder::lay_out(Texture& texture, std::span<const Pixels8> base_lev
     height = std::max(1, height / 2);
   }
   ++texture.level_count_;
+  texture.texel_levels_ = list_levels(texture);
   texture.data_.resize(bytes + row_bytes + kPaddingTexels * texel_bytes);
 }
 

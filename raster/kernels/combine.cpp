@@ -134,16 +134,29 @@ void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[
   }
 }
 
-void ClampColors(FragmentBatch& batch) {
+/// `channels` arrays from `from` to `to` (which may be the same), clamped to [0, 1] on the way if asked.
+void take_colors(const float (*from)[kBatchStride], float (*to)[kBatchStride], int channels, int count,
+                 bool clamp) {
   const F d;
-  const auto clamp_array = [&](float* values) HWY_ATTR {
-    for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
-      hn::Store(clamp01(hn::Load(d, values + i)), d, values + i);
+  if (from == to && !clamp) return;
+  for (int c = 0; c < channels; ++c) {
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+      const V value = hn::Load(d, from[c] + i);
+      hn::Store(clamp ? clamp01(value) : value, d, to[c] + i);
     }
+  }
+}
+
+void StartColors(FragmentBatch& batch) {
+  const FragmentState& state = *batch.state;
+  const bool made = state.illumination.function != nullptr;
+  const auto source = [&](int varying, float(*own)[kBatchStride]) {
+    return made || varying == kAbsent ? own : batch.varying + varying;
   };
-  for (auto& channel : batch.color) clamp_array(channel);
-  if (!batch.state->separate_specular) return;
-  for (auto& channel : batch.specular) clamp_array(channel);
+  take_colors(source(state.varyings.color, batch.color), batch.color, 4, batch.count, state.clamp_colors);
+  if (!state.separate_specular) return;
+  take_colors(source(state.varyings.specular, batch.specular), batch.specular, 3, batch.count,
+              state.clamp_colors);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -153,14 +166,14 @@ HWY_AFTER_NAMESPACE();
 namespace barrido::raster {
 
 HWY_EXPORT(CombineTexture);
-HWY_EXPORT(ClampColors);
+HWY_EXPORT(StartColors);
 
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]) {
   HWY_DYNAMIC_DISPATCH(CombineTexture)(batch, unit, texel, primary);
 }
 
-void clamp_colors(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(ClampColors)(batch); }
+void start_colors(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(StartColors)(batch); }
 
 }  // namespace barrido::raster
 #endif

@@ -20,8 +20,9 @@ std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]);
 
-/// Clamps primary and secondary colours to [0, 1].
-void clamp_colors(FragmentBatch& batch);
+/// Primary and secondary colours as texturing finds them: what illumination wrote, the flat colour, or the
+/// interpolated one; clamped to [0, 1] when the state says so.
+void start_colors(FragmentBatch& batch);
 
 /// Secondary colour, fog, alpha test, blending and stores: from the batch's colours to the surface.
 void write_fragments(FragmentBatch& batch, TileSurface& surface);

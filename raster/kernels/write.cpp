@@ -194,9 +194,8 @@ HWY_INLINE auto pack8(const Rgba& color) {
     const V scaled = hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f));
     return hn::BitCast(di, hn::Add(scaled, hn::Set(F(), 8388608.0f)));
   };
-  return hn::Or(
-      hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::And(hn::ShiftLeft<8>(byte(1)), hn::Set(di, 0xff00))),
-      hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
+  return hn::Or(hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::ShiftLeft<8>(byte(1))),
+                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
 }
 
 template <class VI>
@@ -267,6 +266,8 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
   const FragmentState& state = *batch.state;
   const Surface surface(tile);
   const Blend blend(state.blend);
+  // Colours clamped after the last texture unit are in [0, 1] already, unless fog has been mixed in since.
+  const bool clamp_source = Surface::kClampsSource && (!state.clamp_colors || state.fog.enabled);
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     const int pixel = run.y * kTileWidth + run.x;
@@ -277,7 +278,7 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
       Rgba color{{hn::LoadU(d, batch.color[0] + i), hn::LoadU(d, batch.color[1] + i),
                   hn::LoadU(d, batch.color[2] + i), hn::LoadU(d, batch.color[3] + i)}};
       if constexpr (Blend::kReads) {
-        if constexpr (Surface::kClampsSource) {
+        if (clamp_source) {
           for (V& c : color.c) c = clamp01(c);
         }
         color = blend(color, surface.read(at));
