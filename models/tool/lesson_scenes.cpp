@@ -59,7 +59,7 @@ SceneFile make_checker_ground(const Bytes& picture) {
   writer.add_node({{"name", "ground"}, {"mesh", writer.add_mesh("ground", ground, index)}});
   writer.declare_extension("KHR_materials_unlit");
   add_camera(writer, {{0, 1.2, 3.5}, {0, 0.35, 0}, 0.5, 0.1, 500.0});
-  writer.set_scene_extras({{"background", {0.62, 0.76, 0.90, 1.0}}});
+  writer.set_scene_extras({{"background", {0.34, 0.54, 0.78, 1.0}}});
   return {"checker_ground.glb", writer.bytes()};
 }
 

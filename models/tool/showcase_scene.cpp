@@ -40,7 +40,7 @@ SceneFile make_showcase(const Textures& textures, int teapot_cells) {
   add_sun(writer, "fill", {-5.0, 2.5, 3.5}, {0.80, 0.88, 1.0}, 0.9);
   add_sun(writer, "back", {-1.5, 4.0, -5.0}, {1.0, 1.0, 1.0}, 0.9);
   writer.set_scene_extras(
-      {{"ambient", json_of({0.18, 0.19, 0.21})}, {"background", {0.62, 0.76, 0.90, 1.0}}});
+      {{"ambient", json_of({0.18, 0.19, 0.21})}, {"background", {0.34, 0.54, 0.78, 1.0}}});
   return {"showcase.glb", writer.bytes()};
 }
 
