@@ -64,12 +64,12 @@ OracleModel model_with(bool phong, double n) {
   return model;
 }
 
-struct Setup {
+struct PatchView {
   DrawnMesh drawn = patch_mesh();
   pipeline::State state;
   OracleModel model;
 
-  explicit Setup(pipeline::ShadeModel shading, bool phong = false, double n = 8)
+  explicit PatchView(pipeline::ShadeModel shading, bool phong = false, double n = 8)
       : model(model_with(phong, n)) {
     state.clip_from_eye = pipeline::perspective(2 * std::atan(0.55), double(kWidth) / kHeight, 1.0, 20.0);
     state.shade_model = shading;
@@ -83,7 +83,7 @@ struct Setup {
 
 /// Compares all pixels with what `predict(mesh, hit)` says.
 template <class Predict>
-Comparison compare(const Setup& setup, Predict&& predict) {
+Comparison compare(const PatchView& setup, Predict&& predict) {
   FloatFrame frame(kWidth, kHeight);
   frame.draw(setup.state, setup.drawn.geometry());
   const OracleMesh mesh = setup.mesh();
@@ -98,7 +98,7 @@ Comparison compare(const Setup& setup, Predict&& predict) {
   return comparison;
 }
 
-std::vector<glm::dvec3> vertex_colors(const Setup& setup) {
+std::vector<glm::dvec3> vertex_colors(const PatchView& setup) {
   const std::vector<glm::dvec3> p = setup.drawn.rounded_positions(), n = setup.drawn.rounded_normals();
   std::vector<glm::dvec3> colors;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -107,7 +107,7 @@ std::vector<glm::dvec3> vertex_colors(const Setup& setup) {
 }
 
 TEST(ShadingOracle, FlatAtTheCentroid) {  // S1, the course
-  Setup setup(pipeline::ShadeModel::flat);
+  PatchView setup(pipeline::ShadeModel::flat);
   setup.state.flat_at = pipeline::FlatAt::centroid;
   const std::vector<glm::dvec3> normals = setup.drawn.rounded_normals();
   const Comparison comparison = compare(setup, [&](const OracleMesh& mesh, const OracleMesh::Hit& hit) {
@@ -120,7 +120,7 @@ TEST(ShadingOracle, FlatAtTheCentroid) {  // S1, the course
 }
 
 TEST(ShadingOracle, FlatAtTheProvokingVertex) {  // S1, OpenGL
-  Setup setup(pipeline::ShadeModel::flat);
+  PatchView setup(pipeline::ShadeModel::flat);
   setup.state.flat_at = pipeline::FlatAt::provoking_vertex;
   const std::vector<glm::dvec3> colors = vertex_colors(setup);
   const Comparison comparison = compare(setup, [&](const OracleMesh& mesh, const OracleMesh::Hit& hit) {
@@ -130,7 +130,7 @@ TEST(ShadingOracle, FlatAtTheProvokingVertex) {  // S1, OpenGL
 }
 
 TEST(ShadingOracle, Gouraud) {  // S4, perspective-correct
-  const Setup setup(pipeline::ShadeModel::gouraud);
+  const PatchView setup(pipeline::ShadeModel::gouraud);
   const std::vector<glm::dvec3> colors = vertex_colors(setup);
   const Comparison comparison = compare(setup, [&](const OracleMesh& mesh, const OracleMesh::Hit& hit) {
     return mixed(mesh, hit.triangle, hit.weights, colors);
@@ -139,7 +139,7 @@ TEST(ShadingOracle, Gouraud) {  // S4, perspective-correct
 }
 
 TEST(ShadingOracle, GouraudLinearOnTheScreen) {  // S10
-  Setup setup(pipeline::ShadeModel::gouraud);
+  PatchView setup(pipeline::ShadeModel::gouraud);
   setup.state.color_interpolation = pipeline::ColorInterpolation::screen;
   const std::vector<glm::dvec3> colors = vertex_colors(setup);
   Comparison correct;
@@ -154,7 +154,7 @@ TEST(ShadingOracle, GouraudLinearOnTheScreen) {  // S10
 
 TEST(ShadingOracle, Phong) {  // S6: normals and positions interpolated, the whole model per pixel
   for (const bool phong : {false, true}) {
-    const Setup setup(pipeline::ShadeModel::phong, phong, 20);
+    const PatchView setup(pipeline::ShadeModel::phong, phong, 20);
     const std::vector<glm::dvec3> normals = setup.drawn.rounded_normals();
     const Comparison comparison = compare(setup, [&](const OracleMesh& mesh, const OracleMesh::Hit& hit) {
       const glm::dvec3 p = mixed(mesh, hit.triangle, hit.weights, mesh.positions());
@@ -166,7 +166,7 @@ TEST(ShadingOracle, Phong) {  // S6: normals and positions interpolated, the who
 }
 
 /// Cheap Phong's prediction: dot products at the vertices, interpolated; the model from them.
-Comparison compare_cheap_phong(const Setup& setup, bool power_at_vertex) {
+Comparison compare_cheap_phong(const PatchView& setup, bool power_at_vertex) {
   const std::vector<glm::dvec3> p = setup.drawn.rounded_positions(), n = setup.drawn.rounded_normals();
   const OracleMaterial& m = setup.model.material;
   std::vector<std::vector<glm::dvec3>> dots(setup.model.lights.size());
@@ -191,7 +191,7 @@ Comparison compare_cheap_phong(const Setup& setup, bool power_at_vertex) {
 
 TEST(ShadingOracle, CheapPhongWithThePowerPerPixel) {  // S7
   for (const bool phong : {false, true}) {
-    Setup setup(pipeline::ShadeModel::cheap_phong, phong, 10);
+    PatchView setup(pipeline::ShadeModel::cheap_phong, phong, 10);
     setup.state.cheap_phong_power = pipeline::CheapPhongPower::pixel;
     EXPECT_LE(compare_cheap_phong(setup, false).largest, 2 * kTolerance);
   }
@@ -199,7 +199,7 @@ TEST(ShadingOracle, CheapPhongWithThePowerPerPixel) {  // S7
 
 TEST(ShadingOracle, CheapPhongWithThePowerAtTheVertices) {  // S7
   for (const bool phong : {false, true}) {
-    Setup setup(pipeline::ShadeModel::cheap_phong, phong, 10);
+    PatchView setup(pipeline::ShadeModel::cheap_phong, phong, 10);
     setup.state.cheap_phong_power = pipeline::CheapPhongPower::vertex;
     EXPECT_LE(compare_cheap_phong(setup, true).largest, kTolerance);
   }
