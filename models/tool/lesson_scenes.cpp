@@ -99,6 +99,7 @@ SceneFile make_t_junctions() {
   append_t_junction(meshes, {-1.6, 0, 1.5}, {-1.6, 0, -2.25}, {-1.6, 0, -6});
   append_t_junction(meshes, {1.6, 0, 1.5}, {1.6, 0.12, -2.25}, {1.6, 0, -6});
   std::vector<Part> parts;
+  parts.reserve(meshes.size());
   for (const Mesh& mesh : meshes) parts.push_back({&mesh, index});
   writer.add_node({{"name", "strips"}, {"mesh", writer.add_mesh("strips", parts)}});
   add_camera(writer, {{0, 1.6, 4.2}, {0, 0, -0.4}, 0.45, 0.1, 50.0});
