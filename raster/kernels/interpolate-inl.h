@@ -34,17 +34,17 @@ struct InterpolatedSpan {
 };
 
 /// Varyings of `count` pixels from column x on, into the batch's arrays from fragment `at` on.
-HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const VaryingLayout& layout, int x,
+template <class D>
+HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const VaryingLayout& layout, int x,
                                      int count, FragmentBatch& batch, int at) {
-  const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const float* slope = span.planes->slope_x;
+  const int perspective_from = span.constant_q ? layout.count : layout.affine_count;
   for (int i = 0; i < count; i += lanes) {
     const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
     const auto linear = [&](int quantity) HWY_ATTR {
       return hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, slope[quantity]), k));
     };
-    const int perspective_from = span.constant_q ? layout.count : layout.affine_count;
     for (int v = 0; v < perspective_from; ++v) {
       hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at + i);
     }
@@ -54,6 +54,16 @@ HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const Varying
     for (int v = perspective_from; v < layout.count; ++v) {
       hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at + i);
     }
+  }
+}
+
+/// Short runs, the usual ones of small triangles, use short vectors: a division costs by the lane.
+HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const VaryingLayout& layout, int x,
+                                     int count, FragmentBatch& batch, int at) {
+  if (count <= 4) {
+    interpolate_varyings(hn::FixedTag<float, 4>(), span, layout, x, count, batch, at);
+  } else {
+    interpolate_varyings(hn::ScalableTag<float>(), span, layout, x, count, batch, at);
   }
 }
 

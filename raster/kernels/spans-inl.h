@@ -56,9 +56,15 @@ inline SortedCorners sort_by_y(const PrimitiveRecord& p) {
   return c;
 }
 
-/// First row whose centre is at or above y (1/256 pixel), relative to the tile.
-inline int first_row_at(std::int32_t y, const TileArea& tile) {
-  return ((y + kSubpixelUnits / 2 - 1) >> kSubpixelBits) - tile.y;
+/// First pixel, in window coordinates, whose centre is at or after the coordinate (1/256 pixel).
+inline int first_centre_at(std::int32_t v) { return (v + kSubpixelUnits / 2 - 1) >> kSubpixelBits; }
+
+/// The lanes of a mask as bits, lane 0 lowest.
+template <class D>
+HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {0};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
 }
 
 /// An edge from its lower to its upper end: the crossing of row centre Y is the ceiling of
@@ -73,13 +79,10 @@ inline Edge make_edge(std::int32_t xa, std::int32_t ya, std::int32_t xb, std::in
           (static_cast<double>(xa) - kSubpixelUnits / 2) * dy, kSubpixelUnits * dy};
 }
 
-/// @return false when the triangle has no row in the tile.
-HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
+/// Spans by exact division, for triangles of any size; the rows are known already.
+HWY_INLINE void large_triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
   const SortedCorners c = sort_by_y(p);
-  spans.row_begin = std::max(first_row_at(c.y[0], tile), 0);
-  spans.row_end = std::min(first_row_at(c.y[2], tile), tile.height);
-  if (spans.row_begin >= spans.row_end) return false;
-  const int middle_row = first_row_at(c.y[1], tile);
+  const int middle_row = first_centre_at(c.y[1]) - tile.y;
   const Edge edge_long = make_edge(c.x[0], c.y[0], c.x[2], c.y[2]);
   const Edge edge_lower = make_edge(c.x[0], c.y[0], c.x[1], c.y[1]);
   const Edge edge_upper = make_edge(c.x[1], c.y[1], c.x[2], c.y[2]);
@@ -112,6 +115,88 @@ HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, T
     const auto end = hn::Min(hn::Max(a, b), high);
     hn::StoreU(hn::Sub(first, low), di, spans.first + r);
     hn::StoreU(hn::Sub(end, low), di, spans.end + r);
+  }
+}
+
+/// The edge function of a counter-clockwise triangle's side, at least 0 inside: the rule of
+/// docs/arithmetic.md gives left and lower sides their own pixel centres; the others lose one unit.
+struct EdgeFunction {
+  std::int32_t value;   ///< At the first centre of the box.
+  std::int32_t step_x;  ///< To the next column.
+  std::int32_t step_y;  ///< To the next row.
+};
+
+inline EdgeFunction edge_function(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
+                                  std::int32_t center_x, std::int32_t center_y) {
+  const std::int32_t dx = bx - ax;
+  const std::int32_t dy = by - ay;
+  const bool owns_centres = dy < 0 || (dy == 0 && dx > 0);
+  return {dx * (center_y - ay) - dy * (center_x - ax) - (owns_centres ? 0 : 1), -dy * kSubpixelUnits,
+          dx * kSubpixelUnits};
+}
+
+/// Spans of a triangle whose pixels in the tile lie in a box no wider than a vector: one lane a column. All
+/// numbers fit 32 bits while the triangle is smaller than kSmallTriangle.
+inline constexpr std::int32_t kSmallTriangle = 40 * kSubpixelUnits;
+
+HWY_INLINE void small_triangle_spans(const PrimitiveRecord& p, bool clockwise, int column,
+                                     const TileArea& tile, TriangleSpans& spans) {
+  const hn::ScalableTag<std::int32_t> di;
+  const int second = clockwise ? 2 : 1;
+  const int third = 3 - second;
+  const std::int32_t center_x = (tile.x + column) * kSubpixelUnits + kSubpixelUnits / 2;
+  const std::int32_t center_y = (tile.y + spans.row_begin) * kSubpixelUnits + kSubpixelUnits / 2;
+  const EdgeFunction e0 = edge_function(p.x[0], p.y[0], p.x[second], p.y[second], center_x, center_y);
+  const EdgeFunction e1 = edge_function(p.x[second], p.y[second], p.x[third], p.y[third], center_x, center_y);
+  const EdgeFunction e2 = edge_function(p.x[third], p.y[third], p.x[0], p.y[0], center_x, center_y);
+  const auto lane = barrido::HWY_NAMESPACE::lanes_from(di, 0);
+  const auto row_values = [&](const EdgeFunction& e) HWY_ATTR {
+    return hn::Add(hn::Set(di, e.value), hn::Mul(lane, hn::Set(di, e.step_x)));
+  };
+  auto v0 = row_values(e0);
+  auto v1 = row_values(e1);
+  auto v2 = row_values(e2);
+  const auto in_tile = barrido::HWY_NAMESPACE::lanes_below(di, tile.width - column);
+  for (int r = spans.row_begin; r < spans.row_end; ++r) {
+    const auto inside = hn::And(in_tile, hn::Gt(hn::Or(hn::Or(v0, v1), v2), hn::Set(di, -1)));
+    const unsigned bits = mask_bits(di, inside);
+    spans.first[r] = bits == 0 ? 0 : column + __builtin_ctz(bits);
+    spans.end[r] = bits == 0 ? 0 : column + 32 - __builtin_clz(bits);
+    v0 = hn::Add(v0, hn::Set(di, e0.step_y));
+    v1 = hn::Add(v1, hn::Set(di, e1.step_y));
+    v2 = hn::Add(v2, hn::Set(di, e2.step_y));
+  }
+}
+
+/// Twice the signed area in (1/256 pixel)²; positive when counter-clockwise with y up.
+inline std::int64_t signed_area(const PrimitiveRecord& p) {
+  const std::int64_t dx1 = static_cast<std::int64_t>(p.x[1]) - p.x[0];
+  const std::int64_t dy1 = static_cast<std::int64_t>(p.y[1]) - p.y[0];
+  const std::int64_t dx2 = static_cast<std::int64_t>(p.x[2]) - p.x[0];
+  const std::int64_t dy2 = static_cast<std::int64_t>(p.y[2]) - p.y[0];
+  return dx1 * dy2 - dx2 * dy1;
+}
+
+/// @return false when the triangle has no area or no row in the tile.
+HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
+  const std::int64_t area = signed_area(p);
+  if (area == 0) return false;
+  const std::int32_t x_min = std::min(std::min(p.x[0], p.x[1]), p.x[2]);
+  const std::int32_t x_max = std::max(std::max(p.x[0], p.x[1]), p.x[2]);
+  const std::int32_t y_min = std::min(std::min(p.y[0], p.y[1]), p.y[2]);
+  const std::int32_t y_max = std::max(std::max(p.y[0], p.y[1]), p.y[2]);
+  const int column = std::max(first_centre_at(x_min) - tile.x, 0);
+  const int columns = std::min(first_centre_at(x_max) - tile.x, tile.width) - column;
+  if (columns <= 0) return false;
+  spans.row_begin = std::max(first_centre_at(y_min) - tile.y, 0);
+  spans.row_end = std::min(first_centre_at(y_max) - tile.y, tile.height);
+  if (spans.row_begin >= spans.row_end) return false;
+  const hn::ScalableTag<std::int32_t> di;
+  if (columns <= static_cast<int>(hn::Lanes(di)) && x_max - x_min < kSmallTriangle &&
+      y_max - y_min < kSmallTriangle) {
+    small_triangle_spans(p, area < 0, column, tile, spans);
+  } else {
+    large_triangle_spans(p, tile, spans);
   }
   return true;
 }

@@ -60,14 +60,6 @@ HWY_INLINE void for_each_span(const PrimitiveChunk& chunk, const PrimitiveRecord
   }
 }
 
-bool has_area(const PrimitiveRecord& p) {
-  const std::int64_t dx1 = static_cast<std::int64_t>(p.x[1]) - p.x[0];
-  const std::int64_t dy1 = static_cast<std::int64_t>(p.y[1]) - p.y[0];
-  const std::int64_t dx2 = static_cast<std::int64_t>(p.x[2]) - p.x[0];
-  const std::int64_t dy2 = static_cast<std::int64_t>(p.y[2]) - p.y[0];
-  return dx1 * dy2 != dx2 * dy1;
-}
-
 class TileRasterizer {
  public:
   TileRasterizer(const TileJob& job, TileWorkspace& workspace)
@@ -96,25 +88,31 @@ class TileRasterizer {
     return binned.primitives_in(job_.column, job_.row);
   }
 
-  /// Whether the opaque chunks [begin, end) are likely to cover the tile more than once: half of each
-  /// bounding box counts. A rule of speed alone; both ways give the same bits.
+  /// Whether the opaque chunks [begin, end) are likely to cover the tile more than once, judged by their
+  /// areas. A rule of speed alone; both ways give the same bits.
   bool overlaps(std::size_t begin, std::size_t end) const {
+    const std::int64_t tile_area = static_cast<std::int64_t>(tile_.width) * tile_.height;
     std::int64_t covered = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const PrimitiveChunk& chunk = (*job_.chunks)[i]->chunk();
+      if (chunk.topology != Topology::triangles) continue;
       for (const std::uint16_t number : primitives_of(*(*job_.chunks)[i])) {
-        const PrimitiveRecord& p = chunk.primitives[number];
-        const auto [x_min, x_max] = std::minmax({p.x[0], p.x[1], p.x[2]});
-        const auto [y_min, y_max] = std::minmax({p.y[0], p.y[1], p.y[2]});
-        const auto extent = [](std::int32_t low, std::int32_t high, int origin, int size) {
-          return std::clamp((high >> kSubpixelBits) - origin + 1, 0, size) -
-                 std::clamp((low >> kSubpixelBits) - origin, 0, size);
-        };
-        covered += static_cast<std::int64_t>(extent(x_min, x_max, tile_.x, tile_.width)) *
-                   extent(y_min, y_max, tile_.y, tile_.height);
+        const std::int64_t area =
+            std::abs(signed_area(chunk.primitives[number])) / (2 * kSubpixelUnits * kSubpixelUnits);
+        covered += area < tile_area ? area : area_in_tile(chunk.primitives[number]);
       }
     }
-    return covered > 3 * static_cast<std::int64_t>(tile_.width) * tile_.height;
+    return 2 * covered > 3 * tile_area;
+  }
+
+  /// Of a triangle larger than the tile: half the part of its bounding box that lies in the tile, or all of
+  /// the tile.
+  std::int64_t area_in_tile(const PrimitiveRecord& p) const {
+    TriangleSpans spans;
+    if (!triangle_spans(p, tile_, spans)) return 0;
+    const int middle = (spans.row_begin + spans.row_end) / 2;
+    return static_cast<std::int64_t>(std::max(spans.end[middle] - spans.first[middle], 0)) *
+           (spans.row_end - spans.row_begin);
   }
 
   /// Planes and row values for a primitive; false when it has none.
@@ -145,7 +143,6 @@ class TileRasterizer {
     const bool write_depth_now = state.depth.write && !state.alpha_test.enabled;
     for (const std::uint16_t number : primitives_of(binned)) {
       const PrimitiveRecord& p = chunk.primitives[number];
-      if (chunk.topology == Topology::triangles && !has_area(p)) continue;
       begin_primitive(state, p);
       bool ready = false;
       for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
@@ -172,21 +169,27 @@ class TileRasterizer {
                                  int x_begin, int x_end) {
     if (!state.depth.test) return append(chunk, p, row, x_begin, x_end);
     const hn::ScalableTag<float> d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
     int run_begin = -1;  // of the run that is open
     test_depth(state.depth, write, workspace_.surface.depth + row * kTileWidth, depth, x_begin, x_end,
                [&](int x, auto mask) HWY_ATTR {
                  if (run_begin >= 0 && hn::AllTrue(d, mask)) return;
-                 std::uint8_t bytes[8] = {0};
-                 hn::StoreMaskBits(d, mask, bytes);
-                 const unsigned bits = bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
-                 for (int i = 0; i < lanes; ++i) {
-                   const bool passes = (bits >> i & 1u) != 0;
-                   if (passes && run_begin < 0) run_begin = x + i;
-                   if (!passes && run_begin >= 0) {
-                     append(chunk, p, row, run_begin, x + i);
-                     run_begin = -1;
+                 unsigned bits = mask_bits(d, mask);
+                 if (run_begin >= 0 && (bits & 1u) == 0) {  // the open run ended with the last vector
+                   append(chunk, p, row, run_begin, x);
+                   run_begin = -1;
+                 }
+                 const int lanes = static_cast<int>(hn::Lanes(d));
+                 while (bits != 0 || run_begin >= 0) {
+                   if (run_begin < 0) {
+                     const int begin = __builtin_ctz(bits);
+                     run_begin = x + begin;
+                     bits |= (1u << begin) - 1u;
                    }
+                   const int end = ~bits == 0 ? lanes : __builtin_ctz(~bits);
+                   if (end >= lanes) return;  // open to the next vector
+                   append(chunk, p, row, run_begin, x + end);
+                   run_begin = -1;
+                   bits &= ~0u << end;
                  }
                });
     if (run_begin >= 0) append(chunk, p, row, run_begin, x_end);
@@ -213,7 +216,6 @@ class TileRasterizer {
     const ScissorBox scissor = scissor_in(state.scissor, tile_);
     for (const std::uint16_t number : primitives_of(binned)) {
       const PrimitiveRecord& p = chunk.primitives[number];
-      if (chunk.topology == Topology::triangles && !has_area(p)) continue;
       const auto position = static_cast<std::uint32_t>(workspace_.primitives.size());
       const DepthPlane plane = depth_plane(chunk, p);
       const auto slope = static_cast<float>(plane.ddx);

@@ -288,6 +288,27 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
   }
 }
 
+/// Opaque fragments on the 8-bit surface: the whole batch is packed in full vectors, then copied run by run.
+void store_opaque8(const FragmentBatch& batch, TileSurface& tile) {
+  const F d;
+  const hn::RebindToSigned<F> di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  alignas(64) std::int32_t packed[kBatchStride];
+  for (int i = 0; i < batch.count; i += lanes) {
+    const Rgba color{{hn::Load(d, batch.color[0] + i), hn::Load(d, batch.color[1] + i),
+                      hn::Load(d, batch.color[2] + i), hn::Load(d, batch.color[3] + i)}};
+    hn::Store(pack8(color), di, packed + i);
+  }
+  auto* pixels = reinterpret_cast<std::int32_t*>(tile.color8);
+  for (int r = 0; r < batch.run_count; ++r) {
+    const FragmentRun& run = batch.runs[r];
+    std::int32_t* to = pixels + run.y * kTileWidth + run.x - run.begin;
+    int i = run.begin;
+    for (; i + lanes <= run.end; i += lanes) hn::StoreU(hn::LoadU(di, packed + i), di, to + i);
+    for (; i < run.end; ++i) to[i] = packed[i];
+  }
+}
+
 template <class Surface>
 void store_batch(const FragmentBatch& batch, TileSurface& tile) {
   const BlendState& blend = batch.state->blend;
@@ -300,7 +321,12 @@ void store_batch(const FragmentBatch& batch, TileSurface& tile) {
 void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
   if (batch.state->separate_specular) add_specular(batch);
   if (batch.state->fog.enabled) apply_fog(batch);
-  if (surface.format == ColorFormat::rgba8) {
+  const FragmentState& state = *batch.state;
+  const bool opaque = !state.blend.enabled && !state.alpha_test.enabled &&
+                      state.color_mask == std::array{true, true, true, true};
+  if (surface.format == ColorFormat::rgba8 && opaque) {
+    store_opaque8(batch, surface);
+  } else if (surface.format == ColorFormat::rgba8) {
     store_batch<Surface8>(batch, surface);
   } else {
     store_batch<SurfaceFloat>(batch, surface);
