@@ -7,6 +7,7 @@
 #include "pipeline/checks.h"
 #include "pipeline/fragment_shading.h"
 #include "pipeline/matrix.h"
+#include "pipeline/primitive_mode.h"
 
 namespace barrido::pipeline {
 namespace {
@@ -178,9 +179,7 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
     }
   }
   const bool two_sided = lit != nullptr && lit->two_sided && is_polygonal(geometry.mode);
-  has_back_side = two_sided && cull.keep_back &&
-                  (shading == Shading::per_vertex || shading == Shading::flat_provoking ||
-                   shading == Shading::cheap_phong);
+  has_back_side = two_sided && cull.keep_back && is_lit_at_vertices(shading);
   marks_back_faces = two_sided && is_lit_per_fragment(shading);
 }
 

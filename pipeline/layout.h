@@ -25,6 +25,11 @@ enum class Shading : std::uint8_t {
 
 constexpr bool is_flat(Shading s) { return s == Shading::flat_provoking || s == Shading::flat_centroid; }
 
+/// Whether the model, or its dot products, are evaluated at the vertices (when lighting is on).
+constexpr bool is_lit_at_vertices(Shading s) {
+  return s == Shading::per_vertex || s == Shading::flat_provoking || s == Shading::cheap_phong;
+}
+
 /// Whether fragments evaluate the illumination model.
 constexpr bool is_lit_per_fragment(Shading s) { return s == Shading::cheap_phong || s == Shading::phong; }
 
@@ -53,8 +58,5 @@ raster::VaryingLayout make_layout(const VaryingNeeds& needs);
 
 /// Whether every vertex has w = 1 after projection, exactly.
 bool has_unit_w(const State& state, const Geometry& geometry);
-
-/// Whether the modes are polygons, and so have a front and a back.
-constexpr bool is_polygonal(PrimitiveMode mode) { return mode >= PrimitiveMode::triangles; }
 
 }  // namespace barrido::pipeline
