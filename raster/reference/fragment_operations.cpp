@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <bit>
+#include <cmath>
 
 namespace barrido::raster::reference {
 namespace {

@@ -21,7 +21,7 @@ Color blend_factor(BlendFactor rgb, BlendFactor alpha, const Color& source, cons
 /// The blended colour of all four channels; the source itself when blending is off.
 Color blend(const BlendState& state, const Color& source, const Color& destination);
 
-/// Packed R, G, B, A in memory order.
+/// Packed R, G, B, A in memory order, rounded to nearest, ties to even.
 std::uint32_t pack_rgba8(const Color& color);
 Color unpack_rgba8(std::uint32_t packed);
 

@@ -24,7 +24,7 @@ float sane_coordinate(float value) { return std::fabs(value) < 4194304.0f ? valu
 Place cube_place(const float (&direction)[3]) {
   const CubeFace face = select_cube_face(direction);
   const float major = face.major.of(direction);
-  if (major == 0.0f) return {0, 0.5f, 0.5f};
+  if (!(major > 0.0f)) return {face.face, 0.5f, 0.5f};
   const float w = 1.0f / major;
   return {face.face, (face.sc.of(direction) * w + 1.0f) * 0.5f, (face.tc.of(direction) * w + 1.0f) * 0.5f};
 }

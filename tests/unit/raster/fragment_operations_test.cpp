@@ -96,6 +96,8 @@ TEST(FragmentOperations, Rgba8RoundsToNearestAndClamps) {
   EXPECT_EQ(pack_rgba8({2.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
                         0.499f / 255.0f}),
             0x0000ffffu);
+  // 0.1·255 is 25.5 and 0.3·255 is 76.5 in float: ties go to the even number.
+  EXPECT_EQ(pack_rgba8({0.1f, 0.3f, 0.5f, 0.7f}), 0xb2804c1au);
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
     const std::uint32_t packed = byte * 0x01010101u;
     EXPECT_EQ(pack_rgba8(unpack_rgba8(packed)), packed);

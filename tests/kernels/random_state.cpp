@@ -1,0 +1,186 @@
+#include "random_state.h"
+
+#include <cmath>
+
+#include "raster/fragment_batch.h"
+
+namespace barrido::raster::testing {
+namespace {
+
+/// Stands in for the pipeline's illumination: colours from the normal, the facing and the depth gradient of
+/// the batch's varyings, each fragment for itself.
+void illuminate(const void* parameters, FragmentBatch& batch) {
+  const int normal = *static_cast<const int*>(parameters);
+  const float side = batch.back_facing ? -0.5f : 1.0f;
+  for (int i = 0; i < batch.count; ++i) {
+    const float x = batch.varying[normal][i];
+    const float y = batch.varying[normal + 1][i];
+    const float z = batch.varying[normal + 2][i];
+    const float length = std::sqrt((x * x + y * y) + z * z) + 1.0f;
+    batch.color[0][i] = side * x / length;
+    batch.color[1][i] = side * y / length + 0.25f;
+    batch.color[2][i] = z;
+    batch.color[3][i] = 1.0f / length;
+    for (int c = 0; c < 3; ++c) batch.specular[c][i] = batch.color[c][i] * batch.color[c][i];
+  }
+}
+
+/// The offsets a normal can have in the layouts below; the illumination's parameters point here.
+constexpr int kNormalAt[kMaxVaryings] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
+                                         13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25};
+
+/// A group of varyings of a layout and where its offset is to be written.
+struct Group {
+  int* offset;
+  int size;
+};
+
+void random_unit(RandomBits& random, const TexturePool& textures, int index, FragmentState& state) {
+  const auto slot = static_cast<std::size_t>(index);
+  TextureUnit& unit = state.texture_units[slot];
+  const auto kind =
+      random.pick({TexcoordKind::plain, TexcoordKind::plain, TexcoordKind::projective, TexcoordKind::cube});
+  state.varyings.texcoord_kind[slot] = kind;
+  unit.texture = kind == TexcoordKind::cube ? &textures.cube(random) : &textures.flat(random);
+  unit.min_filter = random.one_of_first<MinFilter>(6);
+  unit.mag_filter = random.one_of_first<MagFilter>(2);
+  unit.lod_bias = random.chance(40) ? random.number(-3.0f, 3.0f) : 0.0f;
+  unit.env_mode = random.one_of_first<TextureEnvMode>(6);
+  unit.env_color = random.color(0.0f, 1.0f);
+  for (CombineChannel* channel : {&unit.combine.rgb, &unit.combine.alpha}) {
+    channel->function = random.one_of_first<CombineFunction>(6);
+    for (std::size_t k = 0; k < 3; ++k) {
+      channel->source[k] = random.one_of_first<CombineSource>(4);
+      channel->operand[k] = random.one_of_first<CombineOperand>(4);
+    }
+    channel->scale = random.pick({1.0f, 1.0f, 2.0f, 4.0f});
+  }
+}
+
+/// Colours, coordinates and fog in any order, any number of the first ones linear on the screen.
+void random_layout(RandomBits& random, FragmentState& state) {
+  VaryingLayout& layout = state.varyings;
+  const bool lit = random.chance(20);
+  std::vector<Group> groups;
+  if (lit) {
+    groups.push_back({&layout.normal, 3});
+  } else if (random.chance(60)) {
+    groups.push_back({&layout.color, 4});
+    if (random.chance(60)) groups.push_back({&layout.specular, 3});
+  }
+  if (state.fog.enabled) groups.push_back({&layout.fog, 1});
+  for (std::size_t unit = 0; unit < kMaxTextureUnits; ++unit) {
+    if (state.texture_units[unit].texture == nullptr) continue;
+    groups.push_back({&layout.texcoord[unit], layout.texcoord_kind[unit] == TexcoordKind::plain ? 2 : 3});
+  }
+  for (std::size_t k = groups.size(); k > 1; --k) {
+    std::swap(groups[k - 1], groups[static_cast<std::size_t>(random.between(0, static_cast<int>(k) - 1))]);
+  }
+  const int affine_groups = random.chance(50) ? 0 : random.between(0, static_cast<int>(groups.size()));
+  int placed = 0;
+  for (const Group& group : groups) {
+    *group.offset = layout.count;
+    layout.count += group.size;
+    if (++placed == affine_groups) layout.affine_count = layout.count;
+  }
+  if (lit) {
+    state.illumination.function = illuminate;
+    state.illumination.parameters = &kNormalAt[layout.normal];
+  }
+}
+
+void random_tests(RandomBits& random, int frame_width, int frame_height, FragmentState& state) {
+  state.depth.test = random.chance(75);
+  state.depth.write = random.chance(80);
+  state.depth.compare =
+      random.chance(50) ? random.pick({Compare::less, Compare::less_equal}) : random.one_of_first<Compare>(8);
+  state.polygon_offset = {random.chance(25), random.number(-2.0f, 2.0f), random.number(-1e6f, 1e6f)};
+  state.scissor.enabled = random.chance(20);
+  state.scissor.x = random.between(-20, frame_width);
+  state.scissor.y = random.between(-20, frame_height);
+  state.scissor.width = random.between(0, frame_width + 40);
+  state.scissor.height = random.between(0, frame_height + 40);
+}
+
+void random_output(RandomBits& random, FragmentState& state) {
+  state.alpha_test.enabled = random.chance(30);
+  state.alpha_test.compare = random.one_of_first<Compare>(8);
+  state.alpha_test.reference = random.number(0.0f, 1.0f);
+  BlendState& blend = state.blend;
+  blend.enabled = random.chance(60);
+  blend.src_rgb = random.one_of_first<BlendFactor>(15);
+  blend.dst_rgb = random.one_of_first<BlendFactor>(15);
+  blend.src_alpha = random.one_of_first<BlendFactor>(15);
+  blend.dst_alpha = random.one_of_first<BlendFactor>(15);
+  blend.equation = random.one_of_first<BlendEquation>(5);
+  blend.constant = random.color(0.0f, 1.0f);
+  if (random.chance(30)) {
+    for (bool& channel : state.color_mask) channel = random.chance(50);
+  }
+}
+
+template <class Enumeration>
+std::string number_of(Enumeration value) {
+  return std::to_string(static_cast<int>(value));
+}
+
+std::string describe_unit(const FragmentState& state, std::size_t index) {
+  const TextureUnit& unit = state.texture_units[index];
+  const Texture& t = *unit.texture;
+  return " unit" + std::to_string(index) + "{" + std::to_string(t.width()) + "x" +
+         std::to_string(t.height()) + " kind=" + number_of(state.varyings.texcoord_kind[index]) +
+         " format=" + number_of(t.format()) + " levels=" + std::to_string(t.level_count()) +
+         " wrap=" + number_of(t.options().wrap_s) + "," + number_of(t.options().wrap_t) +
+         " min=" + number_of(unit.min_filter) + " mag=" + number_of(unit.mag_filter) +
+         " bias=" + std::to_string(unit.lod_bias) + " env=" + number_of(unit.env_mode) +
+         " combine=" + number_of(unit.combine.rgb.function) + "," + number_of(unit.combine.alpha.function) +
+         "}";
+}
+
+}  // namespace
+
+FragmentState random_state(RandomBits& random, const TexturePool& textures, bool opaque, int frame_width,
+                           int frame_height) {
+  FragmentState state;
+  const int units = random.chance(35) ? 0 : random.between(1, kMaxTextureUnits);
+  for (int unit = 0; unit < units; ++unit) {
+    if (random.chance(85)) random_unit(random, textures, unit, state);
+  }
+  state.fog = {random.chance(35),         random.one_of_first<FogMode>(3), random.number(0.0f, 2.0f),
+               random.number(0.0f, 1.0f), random.number(1.0f, 4.0f),       random.color(0.0f, 1.0f)};
+  random_layout(random, state);
+  state.separate_specular = random.chance(30);
+  state.clamp_colors = random.chance(60);
+  random_tests(random, frame_width, frame_height, state);
+  if (!opaque) random_output(random, state);
+  return state;
+}
+
+std::string describe(const FragmentState& s) {
+  std::string text =
+      "varyings=" + std::to_string(s.varyings.count) + " affine=" + std::to_string(s.varyings.affine_count) +
+      " color=" + std::to_string(s.varyings.color) +
+      " lit=" + std::to_string(s.illumination.function != nullptr) +
+      " separate=" + std::to_string(s.separate_specular) + " clamp=" + std::to_string(s.clamp_colors);
+  text += s.depth.test ? " depth{" + number_of(s.depth.compare) + (s.depth.write ? " write}" : "}") : "";
+  text += s.alpha_test.enabled ? " alpha{" + number_of(s.alpha_test.compare) + "}" : "";
+  if (s.blend.enabled) {
+    text += " blend{" + number_of(s.blend.src_rgb) + "," + number_of(s.blend.dst_rgb) + "," +
+            number_of(s.blend.src_alpha) + "," + number_of(s.blend.dst_alpha) + " " +
+            number_of(s.blend.equation) + "}";
+  }
+  text += " mask=";
+  for (const bool channel : s.color_mask) text += channel ? '1' : '0';
+  if (s.scissor.enabled) {
+    text += " scissor{" + std::to_string(s.scissor.x) + "," + std::to_string(s.scissor.y) + " " +
+            std::to_string(s.scissor.width) + "x" + std::to_string(s.scissor.height) + "}";
+  }
+  text += s.polygon_offset.enabled ? " offset" : "";
+  text += s.fog.enabled ? " fog{" + number_of(s.fog.mode) + "}" : "";
+  for (std::size_t unit = 0; unit < kMaxTextureUnits; ++unit) {
+    if (s.texture_units[unit].texture != nullptr) text += describe_unit(s, unit);
+  }
+  return text;
+}
+
+}  // namespace barrido::raster::testing

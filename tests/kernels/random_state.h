@@ -1,0 +1,19 @@
+// Random fragment states: every field of FragmentState takes every value that changes what is computed.
+#pragma once
+
+#include <string>
+
+#include "random_bits.h"
+#include "random_textures.h"
+#include "raster/fragment_state.h"
+
+namespace barrido::raster::testing {
+
+/// `opaque` states have no blending, alpha test or colour mask, so that visibility may be resolved first.
+FragmentState random_state(RandomBits& random, const TexturePool& textures, bool opaque, int frame_width,
+                           int frame_height);
+
+/// One line for messages.
+std::string describe(const FragmentState& state);
+
+}  // namespace barrido::raster::testing
