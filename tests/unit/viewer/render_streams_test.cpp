@@ -1,0 +1,145 @@
+// Standard output as the place of the picture, pipes that close, progress on a terminal, and what is mapped
+// into the process while it draws.
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/scene/image_io.h"
+#include "tests/unit/viewer/program.h"
+#include "tests/unit/viewer/tiny_models.h"
+#include "viewer/barrido/standard_streams.h"
+
+namespace barrido::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class RenderStreams : public ::testing::Test {
+ protected:
+  RenderStreams() { write_textured_glb(folder_.path() / "bumps.glb", 8); }
+  TemporaryFolder folder_;
+};
+
+std::string read_to_end(int descriptor) {
+  std::string text;
+  std::array<char, 65536> buffer{};
+  for (ssize_t count = 0; (count = read(descriptor, buffer.data(), buffer.size())) > 0;) {
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+TEST_F(RenderStreams, ThePictureOnStandardOutputIsThePictureInAFile) {
+  const Outcome outcome = run({"render", "bumps.glb", "-o", "-", "--hash", "--resolution", "64,48"},
+                              {folder_.path(), "", false, 0});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(
+      run({"render", "bumps.glb", "-o", "a.png", "--resolution", "64,48"}, {folder_.path(), "", false, 0})
+          .status,
+      0);
+  EXPECT_EQ(outcome.out, read_text(folder_.path() / "a.png"));
+  EXPECT_EQ(outcome.error.substr(64), "  bumps/phong\n") << "the text goes where the picture does not";
+}
+
+TEST_F(RenderStreams, ASheetOnStandardOutput) {
+  const Outcome outcome =
+      run({"render", "bumps.glb", "-o", "-", "--sheet", "--shading", "all", "--resolution", "64,48"},
+          {folder_.path(), "", false, 0});
+  EXPECT_EQ(outcome.status, 0) << outcome.error;
+  const scene::Image sheet = scene::decode_image(cli::bytes_of(outcome.out), "sheet");
+  EXPECT_GT(sheet.width * sheet.height, 4 * 64 * 48);
+}
+
+/// A frame of noise is far larger than a pipe holds, so the program waits in the middle of writing it, with
+/// everything loaded that it needed from the model to the PNG.
+TEST_F(RenderStreams, NoWindowSystemIsMappedWhileAGlbBecomesAPng) {
+  const Running running = start({"render", "bumps.glb", "-o", "-", "--compression", "0"}, folder_.path());
+  pollfd readable{running.output, POLLIN, 0};
+  ASSERT_EQ(poll(&readable, 1, 60'000), 1);
+  const std::string maps = read_text("/proc/" + std::to_string(running.process) + "/maps");
+  const std::string picture = read_to_end(running.output);
+  close(running.output);
+  EXPECT_EQ(wait_for(running.process), 0);
+  ASSERT_GT(picture.size(), 1u << 20) << "the program may have ended before it was looked at";
+  ASSERT_NE(maps.find("libtbb"), std::string::npos) << "this is not the program's map";
+  for (const char* library : {"libGL", "libEGL", "libX11", "libxcb", "libwayland", "libglfw",
+                              "libOpenImageIO", "libOSMesa", "libopencv"}) {
+    EXPECT_EQ(maps.find(library), std::string::npos) << library;
+  }
+}
+
+TEST_F(RenderStreams, AReaderThatLeavesIsAnError) {
+  std::array<int, 2> error_ends{};
+  ASSERT_EQ(pipe(error_ends.data()), 0);
+  const int saved_error = dup(STDERR_FILENO);
+  dup2(error_ends[1], STDERR_FILENO);
+  const Running running = start({"render", "bumps.glb", "-o", "-", "--compression", "0"}, folder_.path());
+  dup2(saved_error, STDERR_FILENO);
+  close(saved_error);
+  close(error_ends[1]);
+  char first = 0;
+  EXPECT_EQ(read(running.output, &first, 1), 1);
+  close(running.output);
+  EXPECT_EQ(wait_for(running.process), 2);
+  EXPECT_EQ(read_to_end(error_ends[0]), "barrido: standard output: Broken pipe\n");
+  close(error_ends[0]);
+}
+
+TEST_F(RenderStreams, FullAndClosedStandardOutputsAreErrors) {
+  const Words words{"render", "bumps.glb", "-o", "-", "--resolution", "64,48"};
+  const Outcome full = run(words, {folder_.path(), "/dev/full", false, 0});
+  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.error, "barrido: standard output: No space left on device\n");
+  const Outcome closed = run(words, {folder_.path(), "", true, 0});
+  EXPECT_EQ(closed.status, 2);
+  EXPECT_EQ(closed.error, "barrido: standard output: Bad file descriptor\n");
+}
+
+TEST_F(RenderStreams, HashesIntoAClosedPipeAreErrors) {
+  const Outcome full = run({"render", "bumps.glb", "--hash", "--resolution", "64,48"},
+                           {folder_.path(), "/dev/full", false, 0});
+  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.error, "barrido: standard output: No space left on device\n");
+}
+
+/// Runs with standard error on a pseudo terminal and returns what was shown there.
+std::string shown_on_terminal(const Words& words, const std::filesystem::path& folder) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return "";
+  const int slave = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  const int saved_error = dup(STDERR_FILENO);
+  dup2(slave, STDERR_FILENO);
+  const Running running = start(words, folder);
+  dup2(saved_error, STDERR_FILENO);
+  close(saved_error);
+  close(slave);
+  std::string shown = read_to_end(terminal);
+  close(terminal);
+  close(running.output);
+  EXPECT_EQ(wait_for(running.process), 0);
+  return shown;
+}
+
+TEST_F(RenderStreams, ProgressIsSeenOnATerminalAndErased) {
+  const Words slow{"render",       "bumps.glb", "--hash", "--turntable", "100000",
+                   "--resolution", "512,512",   "--simd", "scalar"};
+  Words words = slow;
+  words[4] = "400";
+  const std::string shown = shown_on_terminal(words, folder_.path());
+  if (shown.empty()) GTEST_SKIP() << "this machine draws 400 frames within a second";
+  EXPECT_NE(shown.find("drawing bumps/phong/frame"), std::string::npos);
+  EXPECT_NE(shown.find(" of 400)"), std::string::npos);
+  EXPECT_EQ(shown.substr(shown.size() - 4), "\r\x1b[K");
+  words.push_back("--quiet");
+  EXPECT_EQ(shown_on_terminal(words, folder_.path()), "");
+}
+
+}  // namespace
+}  // namespace barrido::test

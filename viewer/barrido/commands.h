@@ -1,0 +1,19 @@
+// The commands of the program. Each takes the words after its name and returns the exit status: 0 fine, 2
+// error. All exceptions but those that main names are turned into messages inside.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace barrido::cli {
+
+inline constexpr int kExitFine = 0;
+inline constexpr int kExitError = 2;
+
+/// `barrido render FILE… -o OUT`. @throws UsageError, std::bad_alloc, scene::InputError.
+int run_render(std::span<const std::string> words);
+
+/// `barrido info FILE [--json]`. @throws UsageError, std::bad_alloc, scene::InputError.
+int run_info(std::span<const std::string> words);
+
+}  // namespace barrido::cli

@@ -1,0 +1,40 @@
+// Frames through three stages: drawn one after another in order, encoded beside that on other threads, and
+// delivered in order. At most a given number is under way, so memory is bounded however many there are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "raster/framebuffer.h"
+#include "viewer/barrido/cost_report.h"
+#include "viewer/barrido/frame_plan.h"
+
+namespace barrido::cli {
+
+/// A frame on its way from the renderer to its file.
+struct FrameInFlight {
+  const PlannedFrame* plan = nullptr;
+  std::optional<raster::Framebuffer> framebuffer;
+  std::vector<std::uint8_t> encoded;  ///< PNG, where it goes to standard output.
+  FrameCost cost;
+  std::exception_ptr error;  ///< Set when a stage failed; later stages pass the frame on.
+};
+
+struct FrameStages {
+  std::function<void(std::size_t index, FrameInFlight&)> draw;  ///< In order, one at a time.
+  std::function<void(FrameInFlight&)> encode;                   ///< On any thread, several at a time.
+  std::function<void(FrameInFlight&)> deliver;                  ///< In order, one at a time.
+};
+
+/// Runs frames 0 … count − 1 with at most `in_flight` (≥ 1) at once.
+/// @throws what the first frame, in order, that failed threw; the frames before it have been delivered.
+void run_frames(std::size_t count, std::size_t in_flight, const FrameStages& stages);
+
+/// How many frames of this size may be in flight: enough for the threads, few enough for memory.
+std::size_t frames_in_flight(int width, int height, int threads);
+
+}  // namespace barrido::cli

@@ -1,0 +1,193 @@
+#include "viewer/barrido/frame_plan.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "pipeline/scene/image_io.h"
+#include "viewer/barrido/output_template.h"
+
+namespace barrido::cli {
+namespace {
+
+struct Moment {
+  int number = 0;
+  double time_s = 0.0;
+  float azimuth_deg = 0.0f;
+};
+
+std::vector<Moment> moments_of(const RenderOptions& options) {
+  std::vector<Moment> moments;
+  if (options.frames) {
+    for (int n = options.frames->first; n <= options.frames->last; ++n) {
+      moments.push_back({n, n / options.frames_per_second, 0.0f});
+    }
+    return moments;
+  }
+  const int count = std::max(1, options.turntable);
+  for (int n = 0; n < count; ++n) {
+    const double turn = 360.0 * n / count;
+    moments.push_back({n, options.time_s.value_or(0.0), static_cast<float>(turn)});
+  }
+  return moments;
+}
+
+bool has_several_moments(const RenderOptions& options) {
+  return options.turntable > 1 || (options.frames && options.frames->first < options.frames->last);
+}
+
+bool chooses_camera(const RenderOptions& options) { return options.all_cameras || !options.cameras.empty(); }
+
+/// The cameras to draw from; kNone is the default one.
+std::vector<int> cameras_of(const RenderOptions& options, const FileFacts& file) {
+  if (!chooses_camera(options)) return {scene::kNone};
+  std::vector<int> cameras = options.cameras;
+  for (int i = 0; options.all_cameras && i < file.cameras; ++i) cameras.push_back(i);
+  if (cameras.empty()) throw UsageError(file.path + ": --camera-index all: the scene has no camera");
+  for (const int camera : cameras) {
+    if (camera < file.cameras) continue;
+    throw UsageError(file.path + ": --camera-index " + std::to_string(camera) + ": the scene has " +
+                     (file.cameras == 0   ? "no camera"
+                      : file.cameras == 1 ? "only camera 0"
+                                          : "only cameras 0 to " + std::to_string(file.cameras - 1)));
+  }
+  return cameras;
+}
+
+int animation_of(const RenderOptions& options, const FileFacts& file) {
+  if (!options.animation && !options.frames && !options.time_s) return scene::kNone;
+  const int animation = options.animation.value_or(0);
+  if (animation < file.animations) return animation;
+  const std::string option = options.animation ? "--animation " + std::to_string(animation)
+                             : options.frames  ? "--frames"
+                                               : "--time";
+  throw UsageError(file.path + ": " + option + ": the file has " +
+                   (file.animations == 0   ? "no animation"
+                    : file.animations == 1 ? "only animation 0"
+                                           : "only animations 0 to " + std::to_string(file.animations - 1)));
+}
+
+FrameName name_of_frame(const std::string& path, const PlannedFrame& frame) {
+  return {model_name(path), std::string(name_of(frame.shading)),
+          frame.camera == scene::kNone ? "auto" : std::to_string(frame.camera), frame.number};
+}
+
+std::string label_of(const RenderOptions& options, const std::string& path, const PlannedFrame& frame) {
+  std::string label = model_name(path) + "/" + std::string(name_of(frame.shading));
+  if (chooses_camera(options)) label += "/camera" + std::to_string(frame.camera);
+  if (has_several_moments(options)) label += "/frame" + std::to_string(frame.number);
+  return label;
+}
+
+bool has_own_file(const RenderOptions& options) { return !options.output.empty() && !options.sheet; }
+
+/// "{model} and {shading}": placeholders for what differs from frame to frame that the template lacks.
+std::string missing_placeholders(const RenderOptions& options, const OutputTemplate& output) {
+  const std::pair<std::string_view, bool> differing[] = {
+      {"model", options.files.size() > 1},
+      {"shading", options.shadings.size() > 1},
+      {"camera", options.all_cameras || options.cameras.size() > 1},
+      {"frame", has_several_moments(options)}};
+  std::string missing;
+  for (const auto& [placeholder, differs] : differing) {
+    if (!differs || output.has(placeholder)) continue;
+    missing += (missing.empty() ? "{" : " and {") + std::string(placeholder) + "}";
+  }
+  return missing;
+}
+
+void check_format(const std::string& name) {
+  if (scene::is_writable_format(name)) return;
+  const std::string extension = std::filesystem::path(name).extension().string();
+  throw UsageError("--output: '" + name + "': " +
+                   (extension.empty() ? "has no extension"
+                                      : "no picture format is known by the extension '" + extension + "'") +
+                   "; expected png, jpg, tif, exr or hdr, for example");
+}
+
+/// Every name of the call once, as far as they are known before the files are loaded.
+void check_names_differ(const RenderOptions& options) {
+  std::map<std::string, std::string> label_by_name;
+  for (const std::string& path : options.files) {
+    FileFacts facts{path, 1, 1};
+    for (const int camera : options.cameras) facts.cameras = std::max(facts.cameras, camera + 1);
+    facts.animations = options.animation.value_or(0) + 1;
+    for (const PlannedFrame& frame : plan_frames(options, facts)) {
+      check_format(frame.output);
+      const std::string label = path + " " + std::string(name_of(frame.shading));
+      const auto [other, is_new] = label_by_name.emplace(frame.output, label);
+      if (is_new) continue;
+      throw UsageError(frame.output + ": two frames would have this name: " + other->second + " and " +
+                       label);
+    }
+  }
+}
+
+}  // namespace
+
+std::string model_name(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFacts& file) {
+  const int animation = animation_of(options, file);
+  const std::vector<Moment> moments = moments_of(options);
+  const OutputTemplate output(options.output.empty() ? "-" : options.output);
+  std::vector<PlannedFrame> frames;
+  for (const int camera : cameras_of(options, file)) {
+    for (const pipeline::ShadeModel shading : options.shadings) {
+      for (const Moment& moment : moments) {
+        PlannedFrame frame{shading, camera, moment.number, animation, moment.time_s, moment.azimuth_deg,
+                           "",      ""};
+        frame.label = label_of(options, file.path, frame);
+        if (has_own_file(options)) frame.output = output.expand(name_of_frame(file.path, frame));
+        frames.push_back(std::move(frame));
+      }
+    }
+  }
+  return frames;
+}
+
+std::size_t moment_count(const RenderOptions& options) { return moments_of(options).size(); }
+
+std::string sheet_name(const RenderOptions& options) {
+  const OutputTemplate output(options.output);
+  const std::pair<std::string_view, bool> impossible[] = {
+      {"model", options.files.size() > 1}, {"shading", true}, {"camera", true}, {"frame", true}};
+  for (const auto& [placeholder, differs] : impossible) {
+    if (!differs || !output.has(placeholder)) continue;
+    throw UsageError("--output: '" + options.output + "': a sheet is one picture for every {" +
+                     std::string(placeholder) + "}; leave it out");
+  }
+  return output.expand({model_name(options.files[0]), "", "", 0});
+}
+
+void check_output_names(const RenderOptions& options) {
+  if (options.output.empty()) return;
+  const OutputTemplate output(options.output);
+  const std::string missing = missing_placeholders(options, output);
+  if (options.sheet) {
+    const std::string name = sheet_name(options);
+    if (!output.is_standard_output()) check_format(name);
+    return;
+  }
+  if (output.is_standard_output()) {
+    if (missing.empty()) return;
+    throw UsageError("--output: '-': standard output holds one picture; several frames need --sheet");
+  }
+  if (!missing.empty()) {
+    throw UsageError("--output: '" + options.output + "': the frames need different names: add " + missing +
+                     ", or use --sheet");
+  }
+  check_names_differ(options);
+}
+
+scene::RenderSettings settings_of(const scene::RenderSettings& base, const PlannedFrame& frame) {
+  scene::RenderSettings settings = base;
+  settings.shading = frame.shading;
+  settings.camera.camera_index = frame.camera;
+  settings.camera.azimuth_deg += frame.azimuth_deg;
+  settings.animation = frame.animation;
+  settings.time_s = frame.time_s;
+  return settings;
+}
+
+}  // namespace barrido::cli

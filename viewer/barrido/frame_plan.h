@@ -1,0 +1,52 @@
+// Which frames a call of `barrido render` makes, in which order and under which names. Enters: the options
+// and a few facts of a loaded file; leaves: a list. Draws and writes nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/render_scene.h"
+#include "viewer/barrido/render_options.h"
+
+namespace barrido::cli {
+
+struct PlannedFrame {
+  pipeline::ShadeModel shading = pipeline::ShadeModel::phong;
+  int camera = scene::kNone;     ///< Among the file's; kNone: as RenderSettings say.
+  int number = 0;                ///< {frame}: of the animation, or of the turntable.
+  int animation = scene::kNone;  ///< kNone: the scene as it stands.
+  double time_s = 0.0;           ///< Of the animation.
+  float azimuth_deg = 0.0f;      ///< Of the turntable, to be added.
+  std::string label;             ///< "teapot/phong", "teapot/phong/camera1/frame3".
+  std::string output;            ///< File name; empty where there is none of its own (sheet, only --hash).
+};
+
+/// What a plan must know of a file.
+struct FileFacts {
+  std::string path;
+  int cameras = 0;  ///< In the scene to be drawn.
+  int animations = 0;
+};
+
+/// The frames of one file: cameras, in each all shadings, in each all moments.
+/// @throws UsageError when a camera or an animation asked for does not exist.
+std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFacts& file);
+
+/// How many moments there are of each camera and shading mode: frames of the animation or the turntable.
+std::size_t moment_count(const RenderOptions& options);
+
+/// Whether the template gives each frame of the call a name of its own that can be written; asked before
+/// anything is loaded.
+/// @throws UsageError naming the placeholder that is missing.
+void check_output_names(const RenderOptions& options);
+
+/// The name of the picture of all frames (--sheet). @throws UsageError for a placeholder that differs.
+std::string sheet_name(const RenderOptions& options);
+
+/// The settings for one frame; `base` are those of the call, with colours and environment resolved.
+scene::RenderSettings settings_of(const scene::RenderSettings& base, const PlannedFrame& frame);
+
+/// File name without folder and extension.
+std::string model_name(const std::string& path);
+
+}  // namespace barrido::cli

@@ -1,0 +1,113 @@
+#include "viewer/barrido/help.h"
+
+#include <algorithm>
+
+#include "viewer/barrido/render_options.h"
+#include "viewer/barrido/text_format.h"
+
+namespace barrido::cli {
+namespace {
+
+constexpr std::size_t kWidth = 99;
+
+constexpr OptionSyntax kInfoSyntax[] = {
+    {"Options", "--json", "", OptionKind::flag, "", "As JSON, for programs."},
+    {"Options", "--help", "-h", OptionKind::flag, "", "This text."},
+};
+
+constexpr const char* kGeneralHelp =
+    R"(barrido draws 3D models into pictures on the processor, by scanlines, as fixed-function OpenGL did.
+
+Usage:
+  barrido render FILE... -o OUT [OPTIONS]    draw glTF models (.gltf, .glb)
+  barrido info FILE [--json]                 what a model holds, and how well it will be drawn
+  barrido COMMAND --help                     the options of a command, with examples
+  barrido --version
+
+Exit status: 0 fine, 2 error.
+)";
+
+constexpr const char* kRenderUsage =
+    R"(Usage: barrido render FILE... -o OUT [OPTIONS]
+
+Draws each glTF model (.gltf, .glb) and writes one picture a frame. A frame is made for every FILE,
+camera, shading mode and moment asked for. A FILE is loaded once, whatever the number of frames.
+)";
+
+constexpr const char* kRenderNotes = R"(
+Colours: --background and --fog take colours as they are to be seen; lights are linear.
+Exit status: 0 fine, 2 error; no picture is left half-written.
+
+Examples:
+  barrido render teapot.glb -o teapot.png
+  barrido render teapot.glb -o sheet.png --sheet --shading all --resolution 640,480
+  barrido render a.glb b.glb -o "out/{model}-{shading}.jpg" --shading flat,phong
+  barrido render car.glb -o "turn/{frame:03}.png" --turntable 120 --environment studio.hdr
+  barrido render fox.glb -o "run/{frame:04}.png" --frames 0:59 --fps 30
+  barrido render room.glb -o room.png --light key --light point:pos=0,2,0:attenuation=1,0,0.1
+  barrido render teapot.glb -o - --background 1,1,1 | display -
+  barrido render teapot.glb --shading all --hash --stats
+)";
+
+constexpr const char* kInfoUsage = R"(Usage: barrido info FILE [--json]
+
+Tells what a glTF model (.gltf, .glb) holds: scenes, meshes, triangles, materials, textures,
+cameras, lights, animations, bounds; and which of its features are drawn exactly, approximated or
+ignored.
+)";
+
+std::string names_column(const OptionSyntax& option) {
+  std::string names = option.short_name.empty() ? "      " : "  " + std::string(option.short_name) + ", ";
+  names += option.name;
+  if (option.form.empty()) return names;
+  const std::string form(option.form);
+  return names + (option.kind == OptionKind::optional_value ? "[=" + form + "]" : " " + form);
+}
+
+/// Adds `words` behind what `text` ends with, breaking lines at blanks; further lines begin at `indent`.
+void append_wrapped(std::string& text, std::size_t column, std::string_view words, std::size_t indent) {
+  bool first_of_line = true;
+  while (!words.empty()) {
+    const std::size_t length = std::min(words.find(' '), words.size());
+    const std::string word(words.substr(0, length));
+    words.remove_prefix(std::min(length + 1, words.size()));
+    if (!first_of_line && column + 1 + word.size() > kWidth) {
+      text += "\n" + std::string(indent, ' ');
+      column = indent;
+      first_of_line = true;
+    }
+    text += (first_of_line ? "" : " ") + word;
+    column += word.size() + (first_of_line ? 0 : 1);
+    first_of_line = false;
+  }
+  text += "\n";
+}
+
+}  // namespace
+
+std::string version_text() { return "barrido " BARRIDO_VERSION "\n"; }
+
+std::string general_help() { return kGeneralHelp; }
+
+std::string options_help(std::span<const OptionSyntax> syntax) {
+  std::size_t widest = 0;
+  for (const OptionSyntax& option : syntax) widest = std::max(widest, names_column(option).size());
+  const std::size_t indent = widest + 2;
+  std::string text;
+  std::string_view section;
+  for (const OptionSyntax& option : syntax) {
+    if (option.section != section) text += "\n" + std::string(option.section) + ":\n";
+    section = option.section;
+    text += left(names_column(option), indent);
+    append_wrapped(text, indent, option.help, indent);
+  }
+  return text;
+}
+
+std::string render_help() { return kRenderUsage + options_help(render_syntax()) + kRenderNotes; }
+
+std::string info_help() { return kInfoUsage + options_help(info_syntax()); }
+
+std::span<const OptionSyntax> info_syntax() { return kInfoSyntax; }
+
+}  // namespace barrido::cli

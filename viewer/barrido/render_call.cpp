@@ -1,0 +1,215 @@
+#include "viewer/barrido/render_call.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <new>
+#include <set>
+
+#include "pipeline/scene/environment.h"
+#include "pipeline/scene/image_io.h"
+#include "pipeline/scene/import_gltf.h"
+#include "pipeline/scene/scene_nodes.h"
+#include "viewer/barrido/frame_output.h"
+#include "viewer/barrido/stopwatch.h"
+
+namespace barrido::cli {
+namespace {
+
+/// Fog without a colour of its own and without --background: the renderer's dark grey background.
+constexpr std::array<float, 3> kFogColorShown{0.2f, 0.2f, 0.2f};
+
+/// What the renderer looks at; pictures for other uses need not be decoded.
+constexpr unsigned kDrawnImages =
+    scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kEmissiveImage;
+
+int thread_count() {
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+/// Formats that hold floats as the renderer makes them; the others get the 8-bit picture.
+bool holds_floats(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension().string();
+  return extension == ".exr" || extension == ".hdr" || extension == ".EXR" || extension == ".HDR";
+}
+
+}  // namespace
+
+RenderCall::RenderCall(const RenderOptions& options, Console& console)
+    : options_(options), console_(console), settings_(options.settings) {}
+
+int RenderCall::run() {
+  const Stopwatch watch;
+  check_output_names(options_);
+  resolve_settings();
+  load_environment();
+  bool all_fine = true;
+  for (const std::string& path : options_.files) all_fine = render_file(path) && all_fine;
+  if (options_.sheet) write_sheet();
+  console_.end_progress();
+  if (options_.stats != StatsFormat::none) print_costs(watch.milliseconds());
+  return all_fine ? 0 : 2;
+}
+
+/// Colours are passed as they are to be seen: the renderer undoes its own display transform.
+void RenderCall::resolve_settings() {
+  settings_.keep_float = !options_.sheet && holds_floats(options_.output);
+  if (options_.background_shown) {
+    const auto& [red, green, blue, alpha] = *options_.background_shown;
+    settings_.background_color = glm::vec4(red, green, blue, alpha);
+  }
+  if (!options_.fog) return;
+  std::array<float, 3> shown = kFogColorShown;
+  if (options_.background_shown) std::copy_n(options_.background_shown->begin(), 3, shown.begin());
+  shown = options_.fog->color_shown.value_or(shown);
+  settings_.fog = options_.fog->state;
+  settings_.fog->color = {shown[0], shown[1], shown[2], 1.0f};
+}
+
+void RenderCall::load_environment() {
+  if (options_.environment_path.empty()) return;
+  console_.set_progress("loading " + options_.environment_path);
+  const Stopwatch watch;
+  const bool srgb = settings_.color_management == scene::ColorManagement::srgb;
+  const scene::CubeMapImage image = scene::read_environment(options_.environment_path);
+  raster::TextureOptions texture_options;
+  texture_options.encoding = srgb ? raster::Encoding::srgb : raster::Encoding::linear;
+  std::array<raster::Pixels8, raster::kCubeFaces> faces;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    faces[face] = {image.size, image.size, image.faces_rgba[face]};
+  }
+  settings_.environment =
+      std::make_shared<const raster::Texture>(raster::Texture::make_cube(faces, texture_options));
+  report_.environment_ms = watch.milliseconds();
+}
+
+/// @return false when the file cannot be drawn and that has been told.
+bool RenderCall::render_file(const std::string& path) {
+  console_.set_progress("loading " + path);
+  const Stopwatch watch;
+  std::optional<scene::Scene> scene;
+  std::vector<PlannedFrame> frames;
+  try {
+    scene::ImportOptions import;
+    import.image_roles = kDrawnImages;
+    scene = scene::import_gltf(path, import);
+    frames = plan(*scene, path);
+  } catch (const std::bad_alloc&) {
+    if (options_.sheet) throw scene::InputError(path, "", "not enough memory");
+    console_.error(path + ": not enough memory");
+    return false;
+  } catch (const std::runtime_error& error) {
+    if (options_.sheet) throw;
+    console_.error(error.what());
+    return false;
+  }
+  report_.models.push_back({path, watch.milliseconds()});
+  for (const std::string& warning : scene->warnings) console_.warning(warning);
+  render_frames(*scene, path, frames);
+  return true;
+}
+
+std::vector<PlannedFrame> RenderCall::plan(const scene::Scene& scene, const std::string& path) const {
+  const int root = scene::resolve_scene_index(scene, settings_.scene_index);
+  const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
+  return plan_frames(options_,
+                     {path, static_cast<int>(cameras.size()), static_cast<int>(scene.animations.size())});
+}
+
+void RenderCall::render_frames(const scene::Scene& scene, const std::string& path,
+                               const std::vector<PlannedFrame>& frames) {
+  for (const PlannedFrame& frame : frames) {
+    if (!frame.output.empty() && frame.output != "-") make_parent_folder(frame.output);
+  }
+  scene::SceneRenderer renderer(scene);
+  std::set<std::string> warned;
+  FrameStages stages;
+  stages.draw = [&](std::size_t index, FrameInFlight& frame) {
+    frame.plan = &frames[index];
+    console_.set_progress("drawing " + frame.plan->label + " (" + std::to_string(index + 1) + " of " +
+                          std::to_string(frames.size()) + ")");
+    draw(renderer, path, frame);
+    for (const std::string& warning : renderer.warnings()) {
+      if (warned.insert(warning).second) console_.warning(path + ": " + warning);
+    }
+  };
+  stages.encode = [this](FrameInFlight& frame) { encode(frame); };
+  stages.deliver = [this](FrameInFlight& frame) { deliver(frame); };
+  run_frames(frames.size(), frames_in_flight(settings_.width, settings_.height, thread_count()), stages);
+}
+
+void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const {
+  const Stopwatch watch;
+  try {
+    frame.framebuffer = renderer.render(settings_of(settings_, *frame.plan), &frame.cost.counts);
+  } catch (const std::bad_alloc&) {
+    throw scene::InputError(path, frame.plan->label, "not enough memory");
+  }
+  frame.framebuffer->depth() = {};  // Not written; the memory serves the next frame.
+  frame.cost.draw_ms = watch.milliseconds();
+  frame.cost.name =
+      frame.plan->output.empty() || frame.plan->output == "-" ? frame.plan->label : frame.plan->output;
+  frame.cost.model = path;
+  frame.cost.shading = frame.plan->shading;
+  frame.cost.width = frame.framebuffer->width();
+  frame.cost.height = frame.framebuffer->height();
+}
+
+void RenderCall::encode(FrameInFlight& frame) const {
+  if (options_.hash) frame.cost.sha256 = pixel_hash(*frame.framebuffer);
+  if (frame.plan->output.empty()) return;
+  const Stopwatch watch;
+  scene::WriteOptions write;
+  write.png_compression = options_.png_compression;
+  if (frame.plan->output == "-") {
+    frame.encoded = scene::encode_png(view_of(*frame.framebuffer), write);
+  } else {
+    scene::write_image(frame.plan->output, view_of(*frame.framebuffer), write);
+  }
+  frame.cost.write_ms = watch.milliseconds();
+}
+
+void RenderCall::deliver(FrameInFlight& frame) {
+  if (!frame.encoded.empty()) {
+    console_.end_progress();
+    write_standard_output(frame.encoded);
+  }
+  if (options_.sheet) sheet_.add(frame.plan->label, std::move(*frame.framebuffer));
+  if (options_.hash && options_.stats != StatsFormat::json) {
+    console_.print(text_descriptor(), frame.cost.sha256 + "  " + on_one_line(frame.cost.name) + "\n");
+  }
+  report_.frames.push_back(std::move(frame.cost));
+}
+
+void RenderCall::write_sheet() {
+  console_.set_progress("writing the sheet");
+  const std::string name = sheet_name(options_);
+  const std::size_t moments = moment_count(options_);
+  const int columns = sheet_columns(report_.frames.size(), moments > 1 ? moments : options_.shadings.size());
+  if (name == "-") {
+    console_.end_progress();
+  } else {
+    make_parent_folder(name);
+  }
+  sheet_.write(name, columns, options_.png_compression);
+}
+
+void RenderCall::print_costs(double total_ms) {
+  report_.total_ms = total_ms;
+  const bool json = options_.stats == StatsFormat::json;
+  console_.print(text_descriptor(), json ? cost_json(report_) : cost_text(report_));
+}
+
+int RenderCall::text_descriptor() const { return options_.output == "-" ? kStandardError : kStandardOutput; }
+
+void make_parent_folder(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw scene::InputError(path, "", "cannot make its folder: " + error.message());
+}
+
+}  // namespace barrido::cli

@@ -1,0 +1,54 @@
+// One call of `barrido render`, from its options to pictures on disk: loads each file once, plans its frames,
+// and sends them through the pipeline of drawing, encoding and delivering.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/render_scene.h"
+#include "viewer/barrido/console.h"
+#include "viewer/barrido/cost_report.h"
+#include "viewer/barrido/frame_pipeline.h"
+#include "viewer/barrido/frame_sheet.h"
+#include "viewer/barrido/render_options.h"
+
+namespace barrido::cli {
+
+class RenderCall {
+ public:
+  /// Both must outlive the call.
+  RenderCall(const RenderOptions& options, Console& console);
+
+  /// Draws and writes everything. A file that cannot be read is reported and the others are drawn, except for
+  /// a sheet, which is whole or not at all.
+  /// @return the exit status. @throws UsageError, scene::InputError, std::bad_alloc for what ends the call.
+  int run();
+
+ private:
+  void resolve_settings();
+  void load_environment();
+  bool render_file(const std::string& path);
+  std::vector<PlannedFrame> plan(const scene::Scene& scene, const std::string& path) const;
+  void render_frames(const scene::Scene& scene, const std::string& path,
+                     const std::vector<PlannedFrame>& frames);
+  void draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const;
+  void encode(FrameInFlight& frame) const;
+  void deliver(FrameInFlight& frame);
+  void write_sheet();
+  void print_costs(double total_ms);
+
+  /// Where text goes: standard output, unless the picture goes there.
+  int text_descriptor() const;
+
+  const RenderOptions& options_;
+  Console& console_;
+  scene::RenderSettings settings_;
+  CostReport report_;
+  FrameSheet sheet_;
+};
+
+/// Makes the folder that `path` lies in. @throws scene::InputError.
+void make_parent_folder(const std::string& path);
+
+}  // namespace barrido::cli

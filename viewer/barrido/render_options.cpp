@@ -1,0 +1,110 @@
+#include "viewer/barrido/render_options.h"
+
+#include "viewer/barrido/output_template.h"
+#include "viewer/barrido/render_option_table.h"
+
+namespace barrido::cli {
+namespace {
+
+/// Which options were given, for rules that a default value cannot tell.
+class Given {
+ public:
+  explicit Given(const Arguments& arguments) : arguments_(arguments) {}
+
+  bool operator()(std::string_view name) const {
+    const auto table = render_option_table();
+    for (const GivenOption& given : arguments_.options) {
+      if (table[given.index].syntax.name == name) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Arguments& arguments_;
+};
+
+void apply(RenderOptions& options, const GivenOption& given) {
+  const RenderOption& option = render_option_table()[given.index];
+  try {
+    option.apply(options, given.value);
+  } catch (const ValueError& error) {
+    throw UsageError(std::string(option.syntax.name) + ": '" + given.value + "': " + error.what());
+  }
+}
+
+struct Exclusion {
+  std::string_view one, other;
+};
+
+/// Options that contradict each other.
+constexpr Exclusion kExclusions[] = {
+    {"--no-lights", "--light"},
+    {"--turntable", "--frames"},
+    {"--time", "--frames"},
+    {"--camera-index", "--camera-position"},
+    {"--camera-index", "--camera-focal-point"},
+};
+
+struct Need {
+  std::string_view option, needs;
+};
+
+constexpr Need kNeeds[] = {{"--fps", "--frames"}, {"--sheet", "--output"}};
+
+void check_combinations(const Given& given) {
+  for (const Exclusion& pair : kExclusions) {
+    if (given(pair.one) && given(pair.other)) {
+      throw UsageError(std::string(pair.one) + ": cannot be used together with " + std::string(pair.other));
+    }
+  }
+  for (const Need& need : kNeeds) {
+    if (given(need.option) && !given(need.needs)) {
+      throw UsageError(std::string(need.option) + ": only with " + std::string(need.needs));
+    }
+  }
+}
+
+void check(const RenderOptions& options, const Given& given) {
+  if (options.files.empty()) throw UsageError("render: no FILE given; see barrido render --help");
+  for (const std::string& file : options.files) {
+    if (file.empty()) throw UsageError("render: a FILE with an empty name");
+  }
+  if (!given("--output") && !options.hash && options.stats == StatsFormat::none) {
+    throw UsageError("render: no output given; say -o OUT (or only --hash or --stats)");
+  }
+  check_combinations(given);
+  if (options.settings.background == scene::Background::environment && options.environment_path.empty()) {
+    throw UsageError("--background: 'environment': needs a picture, --environment PATH");
+  }
+  const scene::CameraChoice& camera = options.settings.camera;
+  if (camera.position && camera.focal_point && *camera.position == *camera.focal_point) {
+    throw UsageError("--camera-focal-point: is the same point as --camera-position");
+  }
+}
+
+void check_output(const RenderOptions& options) {
+  try {
+    const OutputTemplate parsed(options.output);
+  } catch (const ValueError& error) {
+    throw UsageError("--output: '" + options.output + "': " + error.what());
+  }
+}
+
+}  // namespace
+
+RenderOptions parse_render_options(std::span<const std::string> words) {
+  const Arguments arguments = parse_arguments(render_syntax(), words);
+  const Given given(arguments);
+  RenderOptions options;
+  options.help = given("--help");
+  if (options.help) return options;
+  for (const GivenOption& option : arguments.options) apply(options, option);
+  options.files = arguments.files;
+  check(options, given);
+  if (given("--output")) check_output(options);
+  scene::CameraChoice& camera = options.settings.camera;
+  if (camera.position || camera.focal_point) camera.ignore_file_cameras = true;
+  return options;
+}
+
+}  // namespace barrido::cli

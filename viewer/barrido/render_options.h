@@ -1,0 +1,66 @@
+// Everything that `barrido render` was told, as values: the command line in, one plain struct out. Knows what
+// the options mean and which exclude each other, and loads no file.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/render_scene.h"
+#include "raster/simd_target.h"
+#include "viewer/barrido/arguments.h"
+#include "viewer/barrido/fog_spec.h"
+#include "viewer/barrido/usage_error.h"
+
+namespace barrido::cli {
+
+enum class StatsFormat { none, text, json };
+
+/// Frames of an animation, both ends included.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+};
+
+struct RenderOptions {
+  bool help = false;  ///< Nothing else is looked at.
+  std::vector<std::string> files;
+
+  std::string output;  ///< Template; empty when only --hash or --stats is asked for.
+  std::vector<pipeline::ShadeModel> shadings{pipeline::ShadeModel::phong};
+  bool sheet = false;
+  bool hash = false;
+  bool quiet = false;
+  StatsFormat stats = StatsFormat::none;
+  int png_compression = 1;
+
+  std::string environment_path;                          ///< Empty: none, or `settings.dynamic_environment`.
+  std::optional<std::array<float, 4>> background_shown;  ///< As it is to be seen, straight alpha.
+  std::optional<FogChoice> fog;
+
+  std::vector<int> cameras;  ///< Empty: the first of the file, or the model framed.
+  bool all_cameras = false;
+  int turntable = 0;  ///< Pictures round the model; 0: no turntable.
+  std::optional<FrameRange> frames;
+  double frames_per_second = 30.0;
+  std::optional<double> time_s;
+  std::optional<int> animation;
+
+  int threads = 0;  ///< 0: as many as the machine has.
+  raster::SimdTarget simd = raster::SimdTarget::automatic;
+
+  /// What goes to the renderer as it stands; colours as seen, cameras and times are filled in per frame.
+  scene::RenderSettings settings;
+};
+
+/// The syntax of `barrido render`, for the parser and the help.
+std::span<const OptionSyntax> render_syntax();
+
+/// @throws UsageError.
+RenderOptions parse_render_options(std::span<const std::string> words);
+
+/// "flat", "gouraud", "cheap-phong" or "phong".
+std::string_view name_of(pipeline::ShadeModel model);
+
+}  // namespace barrido::cli

@@ -1,0 +1,68 @@
+#include "viewer/barrido/values.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace barrido::cli {
+namespace {
+
+/// The shortest text of a bound: "0", "0.5", "16384".
+std::string bound_text(double bound) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bound).ptr;
+  return {digits.data(), end};
+}
+
+/// All of `text` as a number; a plus in front is allowed, as in "--exposure +1".
+template <class Number>
+bool read_all(std::string_view text, Number& number) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::string range_text(double least, double most) {
+  if (least <= -kAnyNumber && most >= kAnyNumber) return "";
+  if (most >= kAnyNumber) return " of " + bound_text(least) + " or more";
+  return " in " + bound_text(least) + ".." + bound_text(most);
+}
+
+double parse_number(std::string_view text, double least, double most) {
+  double number = 0.0;
+  if (read_all(text, number) && std::isfinite(number) && number >= least && number <= most) return number;
+  throw ValueError("expected a number" + range_text(least, most));
+}
+
+int parse_whole(std::string_view text, int least, int most) {
+  int number = 0;
+  if (read_all(text, number) && number >= least && number <= most) return number;
+  throw ValueError("expected a whole number" + range_text(least, most));
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos;
+       end = text.find(separator, begin)) {
+    pieces.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  pieces.push_back(text.substr(begin));
+  return pieces;
+}
+
+bool parse_numbers(std::string_view text, std::span<float> into, double least, double most) {
+  const std::vector<std::string_view> pieces = split(text, ',');
+  if (pieces.size() != into.size()) return false;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    double number = 0.0;
+    if (!read_all(pieces[i], number) || !std::isfinite(number)) return false;
+    if (number < least || number > most) return false;
+    into[i] = static_cast<float>(number);
+  }
+  return true;
+}
+
+}  // namespace barrido::cli
