@@ -19,8 +19,8 @@ using FaceNames = std::array<const char*, raster::kCubeFaces>;
 constexpr std::array<FaceNames, 3> kNamings{{{"px", "nx", "py", "ny", "pz", "nz"},
                                              {"posx", "negx", "posy", "negy", "posz", "negz"},
                                              {"right", "left", "top", "bottom", "front", "back"}}};
-constexpr std::array<const char*, 9> kExtensions{".png", ".jpg",  ".jpeg", ".exr", ".hdr",
-                                                 ".tif", ".tiff", ".webp", ".tga"};
+constexpr std::array<const char*, 8> kExtensions{".png", ".jpg", ".jpeg", ".exr",
+                                                 ".hdr", ".tif", ".tiff", ".tga"};
 constexpr std::string_view kPlaceholder = "{face}";
 
 std::string replace_placeholder(std::string text, const std::string& name) {
@@ -108,7 +108,7 @@ CubeMapImage read_environment(const fs::path& path, float exposure_ev, bool srgb
   if (!fs::is_directory(path, error)) return read_one_file(path, encoding);
   const auto found = find_in_folder(path);
   if (!found) {
-    throw InputError(text, "", "the folder holds no px, posx or right (.png .jpg .exr .hdr .tif .webp .tga)");
+    throw InputError(text, "", "the folder holds no px, posx or right (.png .jpg .exr .hdr .tif .tga)");
   }
   return read_six_files(found->first, *found->second, encoding);
 }

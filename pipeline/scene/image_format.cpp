@@ -19,7 +19,7 @@ constexpr std::array<FormatTraits, 9> kTraits{{
     {exr, "EXR", "openexr", true, true, true, true},
     {hdr, "HDR", "hdr", false, true, false, true},
     {tiff, "TIFF", "tiff", true, true, false, true},
-    {webp, "WebP", "webp", true, false, false, true},
+    {webp, "WebP", "webp", true, false, false, false},  // its reader multiplies alpha in, unasked
     {bmp, "BMP", "bmp", false, false, false, true},
     {tga, "TGA", "targa", true, false, false, true},
     {pnm, "PNM", "pnm", false, false, false, false},

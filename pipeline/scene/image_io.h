@@ -33,7 +33,7 @@ struct ImageLimits {
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name,
                    const ImageLimits& limits = {});
 
-/// Reads PNG, JPEG, TIFF, WebP, BMP or TGA, and EXR or HDR clamped to [0, 1] and encoded as sRGB.
+/// Reads PNG, JPEG, TIFF, BMP or TGA, and EXR or HDR clamped to [0, 1] and encoded as sRGB.
 /// @throws InputError.
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 

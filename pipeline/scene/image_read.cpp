@@ -24,7 +24,7 @@ Picture read_picture(const std::filesystem::path& path, const ImageLimits& limit
   const FormatTraits* format = format_by_content(bytes, path);
   if (format == nullptr || !format->is_read) {
     throw InputError(name, "",
-                     "not a picture in a format that is read (PNG, JPEG, EXR, HDR, TIFF, WebP, BMP, TGA)");
+                     "not a picture in a format that is read (PNG, JPEG, EXR, HDR, TIFF, BMP, TGA)");
   }
   if (format->openimageio_name == nullptr) return decode_image(bytes, name, limits);
   check_header(bytes.first(std::min(bytes.size(), kHeaderBytes)), *format, name, limits);
