@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/simd_math-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -15,7 +17,9 @@ using F = hn::ScalableTag<float>;
 using V = hn::Vec<F>;
 
 HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
-HWY_INLINE V clamp01(V c) { return hn::Min(hn::Max(c, hn::Zero(F())), one()); }
+HWY_INLINE V clamp01(V c) {
+  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F())), one());
+}
 
 struct Rgba {
   V c[4];

@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include "raster/kernels/simd_math-inl.h"
+
 #include "raster/kernels/lanes-inl.h"
 #include "raster/tile.h"
 
@@ -28,7 +30,7 @@ HWY_INLINE auto compare(V incoming, V stored) {
   } else if constexpr (kCompare == Compare::greater) {
     return hn::Gt(incoming, stored);
   } else if constexpr (kCompare == Compare::not_equal) {
-    return hn::Ne(incoming, stored);
+    return hn::Not(hn::Eq(incoming, stored));  // true for NaN, which Ne leaves open
   } else if constexpr (kCompare == Compare::greater_equal) {
     return hn::Ge(incoming, stored);
   } else if constexpr (kCompare == Compare::always) {
@@ -98,7 +100,9 @@ HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, 
     auto mask = columns_mask(d, x, begin, end);
     if constexpr (kTest) {
       auto z = hn::Add(row, hn::Mul(slope, column));
-      if constexpr (kClamp) z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
+      if constexpr (kClamp)
+        z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)),
+                                            hn::Set(d, 1.0f));
       mask = hn::And(mask, compare<kCompare>(z, hn::Load(d, depth_row + x)));
       if constexpr (kWrite) hn::BlendedStore(z, mask, d, depth_row + x);
       column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact

@@ -49,7 +49,7 @@ HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const Va
       hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at + i);
     }
     if (perspective_from == layout.count) continue;
-    const auto q = hn::Max(linear(kRecordQ), hn::Set(d, kSmallestQ));
+    const auto q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
     const auto w = hn::Div(hn::Set(d, 1.0f), q);
     for (int v = perspective_from; v < layout.count; ++v) {
       hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at + i);
@@ -74,7 +74,9 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
     const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
     const auto z = hn::Add(hn::Set(d, span.row[kRecordDepth]),
                            hn::Mul(hn::Set(d, span.planes->slope_x[kRecordDepth]), k));
-    hn::StoreU(hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f)), d, batch.depth + at + i);
+    hn::StoreU(
+        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)), hn::Set(d, 1.0f)), d,
+        batch.depth + at + i);
   }
 }
 
@@ -174,8 +176,9 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
     auto center =
         hn::Add(hn::Mul(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
                 hn::Set(d, static_cast<float>(first_group) + 1.5f));
-    center = hn::Min(hn::Max(center, hn::Set(d, static_cast<float>(span.anchor))),
-                     hn::Set(d, static_cast<float>(span.last)));
+    center = barrido::HWY_NAMESPACE::minimum(
+        barrido::HWY_NAMESPACE::maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
+        hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));
     using V = decltype(k + k);
     const auto quantity = [&](int i) HWY_ATTR {
@@ -199,7 +202,9 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
     } else {
       const auto q = quantity(kRecordQ);
       lod =
-          lod_2d(s, t, q, hn::Div(hn::Set(d, 1.0f), hn::Max(q.value, hn::Set(d, kSmallestQ))), width, height);
+          lod_2d(s, t, q,
+                 hn::Div(hn::Set(d, 1.0f), barrido::HWY_NAMESPACE::maximum(q.value, hn::Set(d, kSmallestQ))),
+                 width, height);
     }
     hn::Store(lod, d, group_lod + g);
   }

@@ -13,11 +13,30 @@ HWY_BEFORE_NAMESPACE();
 namespace barrido::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// a < b ? a : b and a > b ? a : b, also for NaN and for zeros of either sign: what x86's instructions do,
+/// and what Highway's Min and Max leave open elsewhere.
+template <class V>
+HWY_INLINE V minimum(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128
+  return hn::Min(a, b);
+#else
+  return hn::IfThenElse(hn::Lt(a, b), a, b);
+#endif
+}
+template <class V>
+HWY_INLINE V maximum(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128
+  return hn::Max(a, b);
+#else
+  return hn::IfThenElse(hn::Gt(a, b), a, b);
+#endif
+}
+
 /// See portable_log2.
 template <class D, class V>
 HWY_INLINE V Log2(D d, V x) {
   const hn::RebindToSigned<D> di;
-  x = hn::Max(x, hn::Set(d, 1.17549435e-38f));
+  x = maximum(x, hn::Set(d, 1.17549435e-38f));
   const auto bits = hn::BitCast(di, x);
   const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
   const auto m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
@@ -37,7 +56,7 @@ template <class D, class V>
 HWY_INLINE V Exp2(D d, V x) {
   const hn::RebindToSigned<D> di;
   const auto low = hn::Set(d, -126.0f);
-  const auto clamped = hn::Min(hn::Max(x, low), hn::Set(d, 127.49f));
+  const auto clamped = minimum(maximum(x, low), hn::Set(d, 127.49f));
   const auto n = hn::Floor(hn::Add(clamped, hn::Set(d, 0.5f)));
   const auto f = hn::Sub(clamped, n);
   auto p = hn::Set(d, 1.52527338e-5f);

@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/texture_address-inl.h"
 #include "raster/kernels/texture_filter-inl.h"
 
@@ -33,7 +34,7 @@ class TextureSampler {
     }
     const float scale = texture_.format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
     store_texels(lower_texels_, count, scale, texel);
-    return static_cast<std::uint64_t>(count) * (any_linear_ ? 4 : 1) * (any_blend_ ? 2 : 1);
+    return texels_;
   }
 
  private:
@@ -62,6 +63,7 @@ class TextureSampler {
       address(c, levels.lower, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
               lower_, i);
       any_linear_ = any_linear_ || !hn::AllFalse(di, levels.linear);
+      count_texels(levels, batch_.count - i);
       if (!choice_.mip_linear) continue;
       address(c, levels.upper, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
               upper_, i);
@@ -70,11 +72,23 @@ class TextureSampler {
     }
   }
 
+  /// One or four texels a level, one or two levels, for the fragments among the next `fragments`.
+  HWY_INLINE void count_texels(const Levels& levels, int fragments) {
+    const I di;
+    const auto valid = barrido::HWY_NAMESPACE::lanes_below(di, fragments);
+    const auto four = hn::And(valid, levels.linear);
+    const auto two = hn::Gt(levels.weight, hn::Zero(di));
+    const auto count = [&](hn::Mask<I> mask)
+                           HWY_ATTR { return static_cast<std::uint64_t>(hn::CountTrue(di, mask)); };
+    texels_ += count(valid) + 3 * count(four) + count(hn::And(valid, two)) + 3 * count(hn::And(four, two));
+  }
+
   const FragmentBatch& batch_;
   const std::size_t number_;
   const TextureUnit& unit_;
   const Texture& texture_;
   const LevelChoice choice_;
+  std::uint64_t texels_ = 0;
   bool any_linear_ = false;
   bool any_blend_ = false;
   Footprint lower_, upper_;

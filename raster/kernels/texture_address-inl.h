@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include "raster/kernels/simd_math-inl.h"
+
 #include <algorithm>
 
 #include "raster/fragment_batch.h"
@@ -64,20 +66,24 @@ HWY_INLINE Levels choose_levels(VF lod, const LevelChoice& choice, int last_leve
       hn::Or(hn::And(magnified, flag(choice.mag_linear)), hn::AndNot(magnified, flag(choice.min_linear)))};
   if (!choice.mip_nearest && !choice.mip_linear) return levels;
   const auto last = hn::Set(d, static_cast<float>(last_level));
-  const auto bounded = hn::Min(hn::Max(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
+  const auto bounded = barrido::HWY_NAMESPACE::minimum(
+      barrido::HWY_NAMESPACE::maximum(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
   if (choice.mip_nearest) {
     const auto level = hn::Sub(hn::Ceil(hn::Add(bounded, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
-    levels.lower = hn::ConvertTo(di, hn::Min(hn::Max(level, hn::Zero(d)), last));
+    levels.lower = hn::ConvertTo(
+        di, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(level, hn::Zero(d)), last));
     levels.lower = hn::IfThenZeroElse(magnified, levels.lower);
     levels.upper = levels.lower;
     return levels;
   }
-  const auto lambda = hn::Min(hn::Max(bounded, hn::Zero(d)), last);
+  const auto lambda =
+      barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(bounded, hn::Zero(d)), last);
   const auto below = hn::Floor(lambda);
   const auto weight = hn::Floor(hn::Mul(hn::Sub(lambda, below), hn::Set(d, 256.0f)));
   levels.lower = hn::IfThenZeroElse(magnified, hn::ConvertTo(di, below));
   levels.weight = hn::IfThenZeroElse(magnified, hn::ConvertTo(di, weight));
-  const auto next = hn::Min(hn::Add(levels.lower, hn::Set(di, 1)), hn::Set(di, last_level));
+  const auto next =
+      barrido::HWY_NAMESPACE::minimum(hn::Add(levels.lower, hn::Set(di, 1)), hn::Set(di, last_level));
   levels.upper = hn::IfThenElse(hn::Gt(levels.weight, zero), next, levels.lower);
   return levels;
 }
@@ -128,7 +134,7 @@ HWY_INLINE VF wrap(VF u, Wrap mode) {
     case Wrap::clamp:
       break;
   }
-  return hn::Min(hn::Max(u, hn::Zero(d)), hn::Set(d, 1.0f));
+  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(u, hn::Zero(d)), hn::Set(d, 1.0f));
 }
 
 HWY_INLINE Coordinates coordinates_2d(VF s, VF t, const TextureOptions& options) {
@@ -156,7 +162,8 @@ HWY_INLINE Coordinates coordinates_cube(VF x, VF y, VF z) {
   const auto valid = hn::Gt(hn::Abs(ma), hn::Zero(d));
   const auto to_unit = [&](VF c) HWY_ATTR {
     const auto u = hn::Mul(hn::Add(hn::Mul(c, w), one), half);
-    return hn::Min(hn::Max(hn::IfThenElse(valid, u, half), hn::Zero(d)), one);
+    return barrido::HWY_NAMESPACE::minimum(
+        barrido::HWY_NAMESPACE::maximum(hn::IfThenElse(valid, u, half), hn::Zero(d)), one);
   };
   const auto axis = hn::IfThenElse(hn::RebindMask(di, is_x), hn::Zero(di),
                                    hn::IfThenElse(hn::RebindMask(di, is_y), hn::Set(di, 2), hn::Set(di, 4)));
@@ -180,7 +187,8 @@ HWY_INLINE VI nearest_texel(VF u, VI size, bool border) {
   const auto scaled = hn::Floor(hn::Mul(u, size_f));
   const auto low = hn::Set(d, border ? -1.0f : 0.0f);
   const auto high = border ? size_f : hn::Sub(size_f, hn::Set(d, 1.0f));
-  return hn::ConvertTo(di, hn::Min(hn::Max(scaled, low), high));
+  return hn::ConvertTo(di,
+                       barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, low), high));
 }
 
 /// Lower texel in 24.8 fixed point along one axis.
@@ -189,7 +197,8 @@ HWY_INLINE VI linear_texel(VF u, VI size) {
   const I di;
   const auto size_f = hn::ConvertTo(d, size);
   const auto fixed = hn::Mul(hn::Sub(hn::Mul(u, size_f), hn::Set(d, 0.5f)), hn::Set(d, 256.0f));
-  const auto bounded = hn::Min(hn::Max(fixed, hn::Set(d, -256.0f)), hn::Mul(size_f, hn::Set(d, 256.0f)));
+  const auto bounded = barrido::HWY_NAMESPACE::minimum(
+      barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), hn::Mul(size_f, hn::Set(d, 256.0f)));
   return hn::ConvertTo(di, hn::Floor(bounded));
 }
 

@@ -23,7 +23,9 @@ using V = hn::Vec<F>;
 using M = hn::Mask<F>;
 
 HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
-HWY_INLINE V clamp01(V c) { return hn::Min(hn::Max(c, hn::Zero(F())), one()); }
+HWY_INLINE V clamp01(V c) {
+  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F())), one());
+}
 
 struct Rgba {
   V c[4];
@@ -110,7 +112,7 @@ HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, cons
     case BlendFactor::src_alpha_saturate:
       break;
   }
-  return channel == 3 ? one() : hn::Min(s.c[3], hn::Sub(one(), t.c[3]));
+  return channel == 3 ? one() : barrido::HWY_NAMESPACE::minimum(s.c[3], hn::Sub(one(), t.c[3]));
 }
 
 /// No blending: the source replaces what is there.
@@ -174,8 +176,8 @@ struct BlendGeneral {
 
   explicit BlendGeneral(const BlendState& b) : blend(b) {}
   HWY_INLINE V channel(const Rgba& s, const Rgba& t, int c) const {
-    if (blend.equation == BlendEquation::min) return hn::Min(s.c[c], t.c[c]);
-    if (blend.equation == BlendEquation::max) return hn::Max(s.c[c], t.c[c]);
+    if (blend.equation == BlendEquation::min) return barrido::HWY_NAMESPACE::minimum(s.c[c], t.c[c]);
+    if (blend.equation == BlendEquation::max) return barrido::HWY_NAMESPACE::maximum(s.c[c], t.c[c]);
     const V a = hn::Mul(s.c[c], blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, s, t, blend, c));
     const V b = hn::Mul(t.c[c], blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, s, t, blend, c));
     if (blend.equation == BlendEquation::subtract) return hn::Sub(a, b);
@@ -353,7 +355,7 @@ void DisplayRow(const TileSurface& surface, int row, int count, const DisplayTra
     for (int c = 0; c < 3; ++c) {
       V v = hn::Mul(hn::Load(d, surface.color_float[c] + at), hn::Set(d, display.exposure_scale));
       if (display.tone_map == ToneMap::reinhard) {
-        v = hn::Max(v, hn::Zero(d));
+        v = barrido::HWY_NAMESPACE::maximum(v, hn::Zero(d));
         v = hn::Div(v, hn::Add(one(), v));
       }
       v = clamp01(v);
