@@ -25,10 +25,14 @@ Dots dots_at(const OracleModel& model, const OracleLight& light, const glm::dvec
   const glm::dvec3 l = to_light(light, p);
   const glm::dvec3 v = model.local_viewer ? glm::normalize(-p) : glm::dvec3(0, 0, 1);
   Dots dots;
-  dots.diffuse = std::max(glm::dot(n, l), 0.0);
+  dots.diffuse = glm::dot(n, l);
   const glm::dvec3 r = 2.0 * glm::dot(n, l) * n - l;
-  dots.highlight = std::max(model.phong ? glm::dot(r, v) : glm::dot(n, glm::normalize(l + v)), 0.0);
+  dots.highlight = model.phong ? glm::dot(r, v) : glm::dot(n, glm::normalize(l + v));
   return dots;
+}
+
+double highlight_of(const Dots& dots, double exponent) {
+  return dots.diffuse > 0.0 ? std::pow(std::max(dots.highlight, 0.0), exponent) : 0.0;
 }
 
 glm::dvec3 illuminated(const OracleModel& model, const glm::dvec3& p, const glm::dvec3& n) {
@@ -36,8 +40,8 @@ glm::dvec3 illuminated(const OracleModel& model, const glm::dvec3& p, const glm:
   glm::dvec3 sum = model.ambient * m.ka;
   for (const OracleLight& light : model.lights) {
     const Dots dots = dots_at(model, light, p, n);
-    const double highlight = dots.diffuse > 0.0 ? std::pow(dots.highlight, m.n) : 0.0;
-    sum += attenuation(light, p) * light.color * (m.kd * dots.diffuse + m.ks * highlight);
+    sum += attenuation(light, p) * light.color *
+           (m.kd * std::max(dots.diffuse, 0.0) + m.ks * highlight_of(dots, m.n));
   }
   return sum;
 }

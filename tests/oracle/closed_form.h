@@ -31,12 +31,15 @@ struct OracleModel {
   bool local_viewer = false;  ///< V to the eye at the origin, else (0, 0, 1)
 };
 
-/// What cheap Phong interpolates for one light: N·L and R·V (or N·H), both at least 0.
+/// What cheap Phong interpolates for one light: N·L and R·V (or N·H), negative where they are.
 struct Dots {
   double diffuse = 0;
   double highlight = 0;
 };
 Dots dots_at(const OracleModel& model, const OracleLight& light, const glm::dvec3& p, const glm::dvec3& n);
+
+/// [N·L > 0] h^n
+double highlight_of(const Dots& dots, double exponent);
 
 /// 1/(kc + kl·d + kq·d²) of positional lights, 1 of others.
 double attenuation(const OracleLight& light, const glm::dvec3& p);

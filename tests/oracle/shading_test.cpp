@@ -56,7 +56,8 @@ OracleModel model_with(bool phong, double n) {
   model.local_viewer = true;
   OracleLight lamp;
   lamp.position = {0.5, 1.5, 0.5, 1.0};
-  lamp.color = {1.0, 0.9, 0.8};
+  lamp.color = {2.0, 1.8, 1.6};
+  lamp.kl = 0.3;
   OracleLight sun;
   sun.position = {-0.5, 0.3, 0.8, 0.0};
   sun.color = {0.4, 0.4, 0.5};
@@ -165,25 +166,30 @@ TEST(ShadingOracle, Phong) {  // S6: normals and positions interpolated, the who
   }
 }
 
-/// Cheap Phong's prediction: dot products at the vertices, interpolated; the model from them.
+/// Cheap Phong's prediction: dot products at the vertices, interpolated with their signs; the model from
+/// them. A light's attenuation f goes along as f·(N·L) and, so that the n-th power brings it back,
+/// f^(1/n)·(R·V).
 Comparison compare_cheap_phong(const PatchView& setup, bool power_at_vertex) {
   const std::vector<glm::dvec3> p = setup.drawn.rounded_positions(), n = setup.drawn.rounded_normals();
   const OracleMaterial& m = setup.model.material;
   std::vector<std::vector<glm::dvec3>> dots(setup.model.lights.size());
   for (std::size_t l = 0; l < dots.size(); ++l) {
     for (std::size_t v = 0; v < p.size(); ++v) {
-      const Dots at = dots_at(setup.model, setup.model.lights[l], p[v], glm::normalize(n[v]));
-      const double highlight =
-          power_at_vertex ? (at.diffuse > 0 ? std::pow(at.highlight, m.n) : 0.0) : at.highlight;
-      dots[l].emplace_back(at.diffuse, highlight, 0);
+      const OracleLight& light = setup.model.lights[l];
+      const Dots at = dots_at(setup.model, light, p[v], glm::normalize(n[v]));
+      const double f = attenuation(light, p[v]);
+      dots[l].emplace_back(f * at.diffuse,
+                           power_at_vertex ? f * highlight_of(at, m.n) : std::pow(f, 1 / m.n) * at.highlight,
+                           0);
     }
   }
   return compare(setup, [&](const OracleMesh& mesh, const OracleMesh::Hit& hit) {
     glm::dvec3 color = setup.model.ambient * m.ka;
     for (std::size_t l = 0; l < dots.size(); ++l) {
-      const glm::dvec3 d = mixed(mesh, hit.triangle, hit.weights, dots[l]);
-      color +=
-          setup.model.lights[l].color * (m.kd * d.x + m.ks * (power_at_vertex ? d.y : std::pow(d.y, m.n)));
+      const glm::dvec3 mix = mixed(mesh, hit.triangle, hit.weights, dots[l]);
+      const Dots d{mix.x, mix.y};
+      color += setup.model.lights[l].color * (m.kd * std::max(d.diffuse, 0.0) +
+                                              m.ks * (power_at_vertex ? d.highlight : highlight_of(d, m.n)));
     }
     return color;
   });

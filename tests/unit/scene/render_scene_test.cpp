@@ -24,7 +24,7 @@ int sum(const Pixel& p) { return p[0] + p[1] + p[2]; }
 
 TEST(RenderScene, UnlitColorsAreEncodedOrTakenAsTheyAre) {
   SceneBuilder builder;
-  builder.add_mesh_node(testing::square(builder.add_material(unlit({1.0f, 0.2140411f, 0.0f, 0.3f}))));
+  builder.add_mesh_node(testing::square(builder.add_material(unlit({1.0f, 0.2158605f, 0.0f, 0.3f}))));
   RenderSettings settings = front_view();
   EXPECT_EQ(middle(builder.scene, settings), (Pixel{255, 128, 0, 255}));  // opaque: alpha counts as 1
   settings.color_management = ColorManagement::none;
@@ -193,7 +193,7 @@ TEST(RenderScene, EmissionIsAddedAndNotMultipliedByTheBaseColor) {
   settings.no_lights = true;
   EXPECT_EQ(right_of_middle(builder.scene, settings), (Pixel{0, 0, 255, 255}));
   // With a picture: factor × texture.
-  builder.scene.materials[0].emissive = {0.0f, 0.2140411f, 1.0f};
+  builder.scene.materials[0].emissive = {0.0f, 0.2158605f, 1.0f};
   builder.scene.materials[0].emissive_texture.texture = 0;
   EXPECT_EQ(right_of_middle(builder.scene, settings), (Pixel{0, 128, 0, 255}));
 }
