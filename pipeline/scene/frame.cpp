@@ -19,6 +19,19 @@ double aspect_of(const RenderSettings& settings) {
   return static_cast<double>(settings.width) / static_cast<double>(settings.height);
 }
 
+/// Kept from frame to frame, as a turntable asks for them again and again.
+Bounds bounds_of(const Scene& scene, const PosedScene& posed, const RenderSettings& settings,
+                 SceneCaches& caches) {
+  const glm::vec3 up = settings.camera.up;
+  const auto [slot, is_new] =
+      caches.bounds.try_emplace({posed.scene_index, settings.animation}, up, Bounds{});
+  if (is_new || slot->second.first != up) {
+    slot->second = {
+        up, find_bounds(scene, posed.nodes, framing_poses(scene, settings.animation), glm::dvec3(up))};
+  }
+  return slot->second.second;
+}
+
 float light_scale(const Scene& scene, const PosedScene& posed, SceneCaches& caches) {
   const auto [slot, is_new] = caches.light_scale.try_emplace(posed.scene_index, 1.0f);
   if (is_new && !light_nodes(scene, posed.nodes).empty()) {
@@ -93,20 +106,13 @@ PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneC
   posed.scene_index = resolve_scene_index(scene, settings.scene_index);
   posed.nodes = nodes_of_scene(scene, posed.scene_index);
   posed.pose = pose_at(scene, settings.animation, settings.time_s);
-  const auto key = std::make_pair(posed.scene_index, settings.animation);
-  const auto found = caches.bounds.find(key);
-  if (found != caches.bounds.end()) {
-    posed.bounds = found->second;
-  } else {
-    posed.bounds = bounding_sphere(scene, posed.nodes, framing_poses(scene, settings.animation));
-    caches.bounds.emplace(key, posed.bounds);
-  }
+  posed.bounds = bounds_of(scene, posed, settings, caches);
   return posed;
 }
 
 View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettings& settings) {
   const Eye eye = choose_eye(scene, posed.nodes, posed.pose, posed.bounds, settings);
-  return view_of(eye, posed.bounds, aspect_of(settings));
+  return view_of(eye, posed.bounds.sphere, aspect_of(settings));
 }
 
 Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,

@@ -26,8 +26,9 @@ struct SceneCaches {
   GeometryCache geometry;
   ReflectionMaps reflections;
   std::map<raster::Encoding, raster::Texture> studio;
-  std::map<std::pair<int, int>, Sphere> bounds;  ///< By scene and animation
-  std::map<int, float> light_scale;              ///< By scene
+  std::map<std::pair<int, int>, std::pair<glm::vec3, Bounds>>
+      bounds;                        ///< By scene and animation; with their up
+  std::map<int, float> light_scale;  ///< By scene
 };
 
 /// A part of the scene, and when: the nodes of one root in one pose.
@@ -35,7 +36,7 @@ struct PosedScene {
   int scene_index = kNone;
   std::vector<int> nodes;
   Pose pose;
-  Sphere bounds;
+  Bounds bounds;
 };
 
 struct Frame {

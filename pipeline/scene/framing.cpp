@@ -1,6 +1,7 @@
 #include "pipeline/scene/framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kEyeAzimuthDeg = 25.0;
 constexpr double kEyeElevationDeg = 18.0;
-constexpr double kMargin = 1.04;
+constexpr double kMargin = 1.05;
 constexpr int kFramingMoments = 9;
 
 template <class Function>
@@ -45,7 +46,44 @@ void for_each_point(const Scene& scene, std::span<const int> nodes, const Pose& 
   }
 }
 
-}  // namespace
+/// The highest and lowest place of each radius: the largest radius of every slice of the sphere, at both of
+/// the slice's ends.
+class RingCollector {
+ public:
+  RingCollector(const Sphere& sphere, const glm::dvec3& up) : sphere_(sphere), up_(unit_or(up, {0, 1, 0})) {}
+
+  void add(const glm::dvec3& p) {
+    const glm::dvec3 offset = p - sphere_.center;
+    const double height = glm::dot(offset, up_);
+    const glm::dvec3 across = offset - up_ * height;
+    const double place = (height / sphere_.radius * 0.5 + 0.5) * kSlices;
+    const auto slice = static_cast<std::size_t>(std::clamp(place, 0.0, kSlices - 1.0));
+    Slice& s = slices_[slice];
+    s.radius = std::max(s.radius, std::sqrt(glm::dot(across, across)));
+    s.low = std::min(s.low, height);
+    s.high = std::max(s.high, height);
+  }
+
+  std::vector<glm::dvec2> rings() const {
+    std::vector<glm::dvec2> rings;
+    for (const Slice& slice : slices_) {
+      if (slice.low <= slice.high)
+        rings.insert(rings.end(), {{slice.radius, slice.low}, {slice.radius, slice.high}});
+    }
+    return rings;
+  }
+
+ private:
+  static constexpr int kSlices = 64;
+  struct Slice {
+    double radius = 0.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+  };
+  Sphere sphere_;
+  glm::dvec3 up_;
+  std::array<Slice, kSlices> slices_;
+};
 
 Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -69,6 +107,20 @@ Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span
   const double smallest = std::sqrt(glm::dot(sphere.center, sphere.center)) * 1e-6;
   if (sphere.radius <= smallest) sphere.radius = smallest > 0.0 ? smallest : 1.0;
   return sphere;
+}
+
+}  // namespace
+
+Bounds find_bounds(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses,
+                   const glm::dvec3& up) {
+  Bounds bounds;
+  bounds.sphere = bounding_sphere(scene, nodes, poses);
+  RingCollector collector(bounds.sphere, up);
+  for (const Pose& pose : poses) {
+    for_each_point(scene, nodes, pose, [&](const glm::dvec3& p) { collector.add(p); });
+  }
+  bounds.rings = collector.rings();
+  return bounds;
 }
 
 std::vector<Pose> framing_poses(const Scene& scene, int animation) {
@@ -110,11 +162,22 @@ glm::dvec3 default_eye_direction(const glm::dvec3& up) {
   return turned(turned(turn[2], turn[0], -kEyeElevationDeg), turn[1], kEyeAzimuthDeg);
 }
 
-double framing_distance(double radius, double vertical_fov_rad, double aspect) {
-  const double half = vertical_fov_rad * 0.5;
-  const double tangent = portable_tan(half) * std::min(aspect, 1.0);
-  const double sine = tangent / std::sqrt(1.0 + tangent * tangent);
-  return radius * kMargin / std::max(sine, 1e-6);
+double framing_distance(const Bounds& bounds, double vertical_fov_rad, double aspect) {
+  const double tan_y = std::max(portable_tan(vertical_fov_rad * 0.5), 1e-6);
+  const double tan_x = tan_y * aspect;
+  const double c = portable_cos(radians(kEyeElevationDeg)), s = portable_sin(radians(kEyeElevationDeg));
+  // A point at angle φ of a ring (ρ, h) is ρ·sinφ to the right, h·c − ρ·cosφ·s up, and ρ·cosφ·c + h·s towards
+  // the eye. It is in view when |right| ≤ tan_x·(distance − towards), |up| likewise; these are the largest
+  // distances over all φ.
+  double distance = 0.0;
+  for (const glm::dvec2& ring : bounds.rings) {
+    const double sideways = ring.x * std::sqrt(c * c + 1.0 / (tan_x * tan_x)) + ring.y * s;
+    const double above = ring.x * std::abs(c - s / tan_y) + ring.y * (s + c / tan_y);
+    const double below = ring.x * (c + s / tan_y) + ring.y * (s - c / tan_y);
+    distance = std::max({distance, sideways, above, below});
+  }
+  // Of points and specks the sphere, which always has a size, keeps a distance.
+  return kMargin * std::max(distance, bounds.sphere.radius);
 }
 
 }  // namespace barrido::scene

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "pipeline/scene/animate.h"
@@ -20,9 +21,17 @@ struct Sphere {
   double radius = 1.0;
 };
 
-/// The sphere about the middle of the bounding box of all vertices that `nodes` draw in any of `poses`.
-/// Vertices that are not finite are left out.
-Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses);
+/// A sphere, and within it the body that the scene fills when it is turned about an upright axis through the
+/// centre: rings of radius x at height y, relative to the centre.
+struct Bounds {
+  Sphere sphere;
+  std::vector<glm::dvec2> rings;
+};
+
+/// The sphere about the middle of the bounding box of all vertices that `nodes` draw in any of `poses`, and
+/// the rings around `up`. Vertices that are not finite are left out.
+Bounds find_bounds(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses,
+                   const glm::dvec3& up);
 
 /// The poses that framing looks at: the scene as it stands, or nine moments spread over the animation, so
 /// that the eye stays where it is from frame to frame.
@@ -42,7 +51,9 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& fallback);
 /// `p` turned by the right-hand rule about the unit vector `axis` (Rodrigues' formula).
 glm::dvec3 turned(const glm::dvec3& p, const glm::dvec3& axis, double angle_deg);
 
-/// Distance at which a sphere fills a view of these full angles, with a small margin.
-double framing_distance(double radius, double vertical_fov_rad, double aspect);
+/// Distance from the centre, in the default direction, at which every ring is in a view of this full vertical
+/// angle and aspect (width / height), with a small margin. It does not depend on the azimuth, so that nothing
+/// leaves the frame and nothing grows or shrinks while a turntable turns.
+double framing_distance(const Bounds& bounds, double vertical_fov_rad, double aspect);
 
 }  // namespace barrido::scene

@@ -12,9 +12,9 @@
 namespace barrido::scene {
 namespace {
 
-constexpr float kKeyIntensity = 0.78f;
+constexpr float kKeyIntensity = 0.82f;
 constexpr float kFillIntensity = 0.5f * kKeyIntensity;
-constexpr float kBackIntensity = 0.42f;
+constexpr float kBackIntensity = 0.45f;
 
 pipeline::Light directional(const glm::vec3& towards_light, float intensity) {
   pipeline::Light light;

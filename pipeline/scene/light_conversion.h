@@ -34,7 +34,7 @@ inline bool is_physical(const Light& light) { return !light.exact_intensity.has_
 std::vector<pipeline::Light> three_light_setup();
 
 /// Ambient light I_a where nobody gives one: with lights, and in their absence.
-inline constexpr float kDefaultAmbient = 0.1f;
+inline constexpr float kDefaultAmbient = 0.05f;
 inline constexpr float kAmbientWithoutLights = 1.0f;
 
 /// `light` seen from another space.

@@ -49,18 +49,17 @@ SurfaceCoefficients convert_material(const Material& material, const SurfaceCont
 
   SurfaceCoefficients surface;
   surface.shininess = shininess_of(roughness, limits.max_shininess);
-  const float strength = (surface.shininess + 2.0f) / 8.0f;
   const float wide = 2.0f / (surface.shininess + 2.0f);
   const glm::vec3 f0 = glm::mix(dielectric, base * context.base_color, metallic);
-  surface.specular = f0 * (strength * (1.0f - wide * wide));
+  surface.specular = f0 * ((1.0f - wide) * (surface.shininess + 2.0f) / 8.0f);
   // The base colour texture will multiply this, so its mean must not.
-  const glm::vec3 wide_lobe = glm::mix(dielectric, base, metallic) * (strength * wide * wide);
+  const glm::vec3 wide_lobe = glm::mix(dielectric, base, metallic) * wide;
   const glm::vec3 kd = base * ((1.0f - kDielectricReflectance) * (1.0f - metallic)) + wide_lobe;
 
   if (reflects(reflections, metallic >= kLeastMetallic, material.exact)) {
     surface.reflection_before_texture = metallic >= 0.5f;
     const glm::vec3 share = surface.reflection_before_texture ? base * metallic : f0;
-    surface.reflectance = glm::clamp(share, glm::vec3(0.0f), glm::vec3(1.0f));
+    surface.reflectance = glm::clamp(share * (1.0f - wide), glm::vec3(0.0f), glm::vec3(1.0f));
   }
   // 1 − reflectance is 0 only for a perfect mirror, whose k_d hardly matters.
   const glm::vec3 through = glm::max(1.0f - surface.reflectance, glm::vec3(1.0f / 16.0f));

@@ -44,11 +44,13 @@ enum class Reflections : std::uint8_t {
 };
 
 /// The conversion of metallic-roughness: k_d = b(1 − 0.04)(1 − m), F0 = lerp(0.04, b, m), n = 2/α² − 2 with
-/// α = r² (Karis 2013), k_s = F0 (n + 2)/8. The factor N·L that belongs to k_s is missing from fixed
-/// function; the wider the lobe the more it matters, so the share (2/(n + 2))² of k_s goes to k_d instead,
-/// which has that factor. Metals with vertex colours are treated as painted: no texture unit could colour
-/// their reflection. Exact coefficients of the file (extras.barrido) replace what they name; a material whose
-/// diffuse or specular is exact reflects no environment.
+/// α = r² (Karis 2013), k_s = F0 (n + 2)/8, and F0 of the environment is reflected. The factor N·L that
+/// belongs to k_s is missing from fixed function; the wider the lobe the more it matters, and the less a lobe
+/// differs from diffuse reflection. So the share α² = 2/(n + 2) of F0 goes to k_d, and 1 − α² of it is left
+/// for k_s and the environment: a rough metal answers to the lights as chalk does, a smooth one is a mirror.
+/// Metals with vertex colours are treated as painted: no texture unit could colour their reflection. Exact
+/// coefficients of the file (extras.barrido) replace what they name; a material whose diffuse or specular is
+/// exact reflects no environment.
 SurfaceCoefficients convert_material(const Material& material, const SurfaceContext& context,
                                      Reflections reflections, const ConversionLimits& limits);
 

@@ -175,8 +175,8 @@ struct SceneRenderer::Implementation {
     std::vector<raster::Framebuffer> faces;
     ReflectionMaps unused;
     for (int face = 0; face < raster::kCubeFaces; ++face) {
-      const Pass pass{cube_face_view(face, center, frame.posed.bounds), 1.0, frame.backdrop_in_reflection,
-                      node, nullptr};
+      const Pass pass{cube_face_view(face, center, frame.posed.bounds.sphere), 1.0,
+                      frame.backdrop_in_reflection, node, nullptr};
       faces.emplace_back(face_options(settings));
       add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
     }

@@ -92,18 +92,18 @@ Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const S
   return eye;
 }
 
-Eye framing_eye(const Sphere& bounds, const CameraChoice& choice, double aspect) {
+Eye framing_eye(const Bounds& bounds, const CameraChoice& choice, double aspect) {
   Eye eye;
   eye.up = unit_or(glm::dvec3(choice.up), {0, 1, 0});
   eye.vertical_fov_rad = radians(kFramingFovDeg);
-  eye.focal_point = bounds.center;
+  eye.focal_point = bounds.sphere.center;
   double fov = eye.vertical_fov_rad;
   if (choice.view_angle_deg) fov = radians(std::clamp<double>(*choice.view_angle_deg, 0.01, 179.0));
-  eye.position = bounds.center + default_eye_direction(eye.up) * framing_distance(bounds.radius, fov, aspect);
+  eye.position = bounds.sphere.center + default_eye_direction(eye.up) * framing_distance(bounds, fov, aspect);
   return eye;
 }
 
-Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& pose, const Sphere& bounds,
+Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& pose, const Bounds& bounds,
                const RenderSettings& settings) {
   const CameraChoice& choice = settings.camera;
   const std::vector<int> cameras = camera_nodes(scene, nodes);
@@ -114,11 +114,11 @@ Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& po
   }
   const bool from_file = choice.camera_index != kNone || (count > 0 && !choice.ignore_file_cameras);
   const std::size_t index = static_cast<std::size_t>(std::max(choice.camera_index, 0));
-  Eye eye = from_file ? eye_of_camera(scene, pose, cameras[index], bounds)
+  Eye eye = from_file ? eye_of_camera(scene, pose, cameras[index], bounds.sphere)
                       : framing_eye(bounds, choice, static_cast<double>(settings.width) / settings.height);
   apply_overrides(eye, choice);
   orbit(eye, choice);
-  choose_planes(eye, bounds);
+  choose_planes(eye, bounds.sphere);
   return eye;
 }
 

@@ -26,12 +26,12 @@ struct Eye {
 Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const Sphere& bounds);
 
 /// An eye that sees all of `bounds`.
-Eye framing_eye(const Sphere& bounds, const CameraChoice& choice, double aspect);
+Eye framing_eye(const Bounds& bounds, const CameraChoice& choice, double aspect);
 
 /// The eye for these settings: file camera or framing, then position, focal point and view angle where given,
 /// then azimuth about the up direction and elevation towards it.
 /// @throws InputError when the camera asked for does not exist.
-Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& pose, const Sphere& bounds,
+Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& pose, const Bounds& bounds,
                const RenderSettings& settings);
 
 /// The rigid motion that puts an eye at the origin, looking along −Z. `forward` is a unit vector; `up` need
