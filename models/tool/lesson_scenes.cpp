@@ -43,24 +43,37 @@ SceneFile make_room() {
   add_camera(writer, {{0, 1, 4.6}, {0, 1, 0}, 0.30, 0.1, 20.0});
   add_exact_point_light(writer, "lamp", {0, 1.8, 0}, {1, 0.95, 0.85}, 1.3, {0.5, 0.3, 0.4});
   // The light that the floor throws back, as a dim light of its own (V8).
-  add_exact_point_light(writer, "bounce", {0, 0.1, 0.3}, {1, 0.9, 0.8}, 0.25, {1, 0, 0.5});
+  add_exact_point_light(writer, "bounce", {0, 0.15, 1.2}, {1, 0.9, 0.8}, 0.4, {1, 0, 0.5});
   writer.set_scene_extras({{"ambient", json_of({0.06, 0.06, 0.06})}});
   return {"room.glb", writer.bytes()};
 }
 
-SceneFile make_checker_ground(const Bytes& picture) {
-  GlbWriter writer("Checker ground to the horizon");
+int add_unlit_checker(GlbWriter& writer, const Bytes& picture) {
   Json material = make_textured_material("checker", writer.add_texture("checker", picture), 0.0, 1.0);
   material["extensions"]["KHR_materials_unlit"] = Json::object();
-  const int index = writer.add_material(std::move(material));
-  // One square of the picture is half a unit wide; two triangles in all, so that nothing hides the error of
-  // affine interpolation.
-  const Mesh ground = make_grid({-100, 0, -200}, {200, 0, 0}, {0, 0, 204}, 1, 1, {50, 51});
-  writer.add_node({{"name", "ground"}, {"mesh", writer.add_mesh("ground", ground, index)}});
   writer.declare_extension("KHR_materials_unlit");
+  return writer.add_material(std::move(material));
+}
+
+/// One square of the picture is half a unit wide.
+SceneFile make_checker_ground(const Bytes& picture) {
+  GlbWriter writer("Checker ground to the horizon");
+  const int material = add_unlit_checker(writer, picture);
+  const Mesh ground = make_grid({-100, 0, -200}, {200, 0, 0}, {0, 0, 204}, 1, 1, {50, 51});
+  writer.add_node({{"name", "ground"}, {"mesh", writer.add_mesh("ground", ground, material)}});
   add_camera(writer, {{0, 1.2, 3.5}, {0, 0.35, 0}, 0.5, 0.1, 500.0});
   writer.set_scene_extras({{"background", {0.34, 0.54, 0.78, 1.0}}});
   return {"checker_ground.glb", writer.bytes()};
+}
+
+/// Two triangles, wholly before the eye: where their diagonal runs, affine interpolation breaks the picture.
+SceneFile make_checker_square(const Bytes& picture) {
+  GlbWriter writer("Checker square in perspective");
+  const int material = add_unlit_checker(writer, picture);
+  const Mesh square = make_grid({-1.5, 0, -4}, {3, 0, 0}, {0, 0, 5.5}, 1, 1);
+  writer.add_node({{"name", "square"}, {"mesh", writer.add_mesh("square", square, material)}});
+  add_camera(writer, {{0, 1.5, 3.2}, {0, 0.05, 0}, 0.45, 0.1, 50.0});
+  return {"checker_square.glb", writer.bytes()};
 }
 
 constexpr Vec4 kRed{0.9, 0.1, 0.1, 1};
@@ -122,8 +135,12 @@ SceneFile make_highlight(const std::string& file, int cells) {
 }  // namespace
 
 std::vector<SceneFile> make_lesson_scenes(const Textures& textures) {
-  return {make_room(), make_checker_ground(textures.at("checker")), make_t_junctions(),
-          make_highlight("lost_highlight.glb", 1), make_highlight("lost_highlight_fine.glb", 24)};
+  return {make_room(),
+          make_checker_ground(textures.at("checker")),
+          make_checker_square(textures.at("checker")),
+          make_t_junctions(),
+          make_highlight("lost_highlight.glb", 1),
+          make_highlight("lost_highlight_fine.glb", 24)};
 }
 
 }  // namespace barrido::models

@@ -5,18 +5,22 @@
 namespace barrido::models {
 namespace {
 
-/// The classical three-quarter view of the teapot.
-void add_teapot_camera(GlbWriter& writer) {
-  add_camera(writer, {{2.6, 4.2, 8.6}, {0.25, 1.5, 0}, 0.24, 0.5, 50.0});
+/// The classical three-quarter view of the teapot, and light from the upper left, so that the form shows.
+void add_teapot_camera_and_lights(GlbWriter& writer) {
+  add_camera(writer, {{3.0, 3.2, 9.2}, {0.36, 1.42, 0}, 0.275, 0.5, 50.0});
+  add_sun(writer, "key", {-3.0, 4.5, 5.0}, {1.0, 0.97, 0.92}, 2.9);
+  add_sun(writer, "fill", {6.0, 1.0, 4.0}, {0.85, 0.92, 1.0}, 0.45);
+  add_sun(writer, "back", {1.5, 4.0, -5.0}, {1.0, 1.0, 1.0}, 0.6);
+  writer.set_scene_extras({{"ambient", json_of({0.06, 0.06, 0.07})}});
 }
 
 SceneFile make_plain_teapot(int cells) {
   GlbWriter writer("Utah teapot");
-  Json material = make_material("porcelain", {0.70, 0.36, 0.20}, 0.0, 0.28);
+  Json material = make_material("porcelain", {0.52, 0.17, 0.08}, 0.0, 0.3);
   material["doubleSided"] = true;  // The lid does not quite close the body.
   const int mesh = writer.add_mesh("teapot", make_teapot(cells), writer.add_material(std::move(material)));
   writer.add_node({{"name", "teapot"}, {"mesh", mesh}});
-  add_teapot_camera(writer);
+  add_teapot_camera_and_lights(writer);
   return {"teapot.glb", writer.bytes()};
 }
 
@@ -26,7 +30,7 @@ SceneFile make_patch_teapot(const Bytes& picture, int cells) {
   material["doubleSided"] = true;
   const int mesh = writer.add_mesh("teapot", make_teapot(cells), writer.add_material(std::move(material)));
   writer.add_node({{"name", "teapot"}, {"mesh", mesh}});
-  add_teapot_camera(writer);
+  add_teapot_camera_and_lights(writer);
   return {"teapot_patches.glb", writer.bytes()};
 }
 

@@ -74,9 +74,11 @@ std::vector<std::uint8_t> encode(const Picture& picture, const Indexed& indexed,
 
 std::vector<std::uint8_t> encode_small_png(const Picture& picture) {
   const Indexed indexed = to_indexed(picture);
+  // Filters help where neighbouring bytes are close in value, which indices of a palette are not.
+  const bool use_palette = indexed.palette.n_entries > 0;
   std::vector<std::uint8_t> smallest;
-  for (const int filters : {SPNG_FILTER_CHOICE_NONE, SPNG_FILTER_CHOICE_SUB, SPNG_FILTER_CHOICE_UP,
-                            SPNG_FILTER_CHOICE_AVG, SPNG_FILTER_CHOICE_PAETH, SPNG_FILTER_CHOICE_ALL}) {
+  for (const int filters : {SPNG_FILTER_CHOICE_NONE, SPNG_FILTER_CHOICE_PAETH, SPNG_FILTER_CHOICE_ALL}) {
+    if (use_palette && filters != SPNG_FILTER_CHOICE_NONE) continue;
     std::vector<std::uint8_t> bytes = encode(picture, indexed, filters);
     if (smallest.empty() || bytes.size() < smallest.size()) smallest = std::move(bytes);
   }

@@ -30,11 +30,11 @@ SceneFile make_showcase(const Textures& textures, int teapot_cells) {
   add_object(writer, "marble ball", make_sphere(0.5, 36, 18),
              make_textured_material("marble", marble, 0.0, 0.25), {0.55, 0.5, 1.45});
   add_object(writer, "ring", make_torus(0.55, 0.22, 48, 24, {5, 2}),
-             make_textured_material("bricks", bricks, 0.0, 0.8), {-1.55, 0.22, 1.75});
-  add_object(writer, "floor", make_grid({-8, 0, -8}, {16, 0, 0}, {0, 0, 16}, 32, 32, {4, 4}),
+             make_textured_material("bricks", bricks, 0.0, 0.8), {-1.25, 0.22, 1.85});
+  add_object(writer, "floor", make_grid({-24, 0, -32}, {48, 0, 0}, {0, 0, 40}, 24, 20, {12, 10}),
              make_textured_material("floor", checker, 0.0, 0.9), {0, 0, 0});
 
-  add_camera(writer, {{0.5, 2.6, 7.2}, {0.15, 0.72, 0}, 0.30, 0.1, 100.0});
+  add_camera(writer, {{0.6, 1.9, 7.6}, {0.2, 0.95, 0}, 0.30, 0.1, 100.0});
   // Key, fill and back light (V2); lux = π × the course's intensity.
   add_sun(writer, "key", {3.0, 5.0, 4.0}, {1.0, 0.96, 0.88}, 2.4);
   add_sun(writer, "fill", {-5.0, 2.5, 3.5}, {0.80, 0.88, 1.0}, 0.9);

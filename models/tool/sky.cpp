@@ -1,6 +1,5 @@
 // The sky: a colour for every direction, so that the faces of the cube meet without seams.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "models/tool/noise.h"
@@ -75,27 +74,31 @@ double skyline(const Vec3& d) {
 Vec3 environment_color(const Vec3& d) {
   if (d.y < 0.0) return ground_color(d);
   const double hill = skyline(d);
-  if (d.y < hill) return lerp(ground_color(Vec3(d.x, 0, d.z)), Vec3(0.33, 0.43, 0.47), d.y / hill);
+  if (d.y < hill) return lerp(Vec3(0.46, 0.56, 0.54), Vec3(0.36, 0.46, 0.52), d.y / hill);
   return sky_color(d);
+}
+
+/// Mean colour of a pixel of a face: n × n samples where the skyline crosses it, else one.
+Vec3 pixel_color(int face, int x, int y, int size) {
+  const Vec3 middle = unit(direction_of(face, (x + 0.5) / size, (y + 0.5) / size));
+  const bool is_on_edge = std::min(std::fabs(middle.y), std::fabs(middle.y - skyline(middle))) < 4.0 / size;
+  const int n = is_on_edge ? 4 : 1;
+  Vec3 sum{0, 0, 0};
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const Vec3 direction = direction_of(face, (x + (i + 0.5) / n) / size, (y + (j + 0.5) / n) / size);
+      sum += glm::min(environment_color(unit(direction)), Vec3(1.0));
+    }
+  }
+  return sum / static_cast<double>(n * n);
 }
 
 }  // namespace
 
 Picture draw_sky(int face, int size) {
-  // Four samples a pixel soften the skyline.
-  constexpr std::array<double, 2> kOffsets{0.25, 0.75};
   Picture picture{size, size, {}};
   for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      Vec3 sum{0, 0, 0};
-      for (const double dy : kOffsets) {
-        for (const double dx : kOffsets) {
-          const Vec3 direction = unit(direction_of(face, (x + dx) / size, (y + dy) / size));
-          sum += glm::min(environment_color(direction), Vec3(1.0));
-        }
-      }
-      append_pixel(picture, sum / 4.0);
-    }
+    for (int x = 0; x < size; ++x) append_pixel(picture, pixel_color(face, x, y, size));
   }
   return picture;
 }

@@ -11,6 +11,7 @@ namespace barrido::models {
 namespace {
 
 constexpr int kPictureSize = 256;
+constexpr int kSkySize = 512;
 
 Textures write_textures(const WriteOptions& options) {
   Textures textures;
@@ -30,7 +31,7 @@ void write_sky(const std::filesystem::path& folder) {
   constexpr std::array kFaces{"px", "nx", "py", "ny", "pz", "nz"};
   for (std::size_t face = 0; face < kFaces.size(); ++face) {
     write_file(folder / (std::string(kFaces[face]) + ".png"),
-               encode_small_png(draw_sky(static_cast<int>(face), kPictureSize)));
+               encode_small_png(draw_sky(static_cast<int>(face), kSkySize)));
   }
 }
 
