@@ -71,7 +71,7 @@ CullRule cull_rule(const State& state) {
 glm::mat3 eye_normals(const State& state) {
   glm::dmat3 m = normal_matrix(bounded(glm::dmat4(state.eye_from_object)));
   if (state.rescale_normal) {
-    const glm::dvec3 row(m[0][2], m[1][2], m[2][2]);
+    const glm::dvec3 row = m[2];  // column 3 of the transposed inverse
     const double length = std::sqrt(row.x * row.x + row.y * row.y + row.z * row.z);
     if (length > 0.0) m /= length;
   }
