@@ -51,9 +51,8 @@ void run_frames(std::size_t count, std::size_t in_flight, const FrameStages& sta
                                         tbb::make_filter<Token, void>(filter_mode::serial_in_order, deliver));
 }
 
-std::size_t frames_in_flight(int width, int height, int threads) {
+std::size_t frames_in_flight(std::size_t frame_bytes, int threads) {
   constexpr std::size_t kBudgetBytes = std::size_t{1} << 30;
-  const std::size_t frame_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 8;
   return std::clamp<std::size_t>(kBudgetBytes / frame_bytes, 1, static_cast<std::size_t>(threads) + 2);
 }
 

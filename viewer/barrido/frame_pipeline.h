@@ -34,7 +34,7 @@ struct FrameStages {
 /// @throws what the first frame, in order, that failed threw; the frames before it have been delivered.
 void run_frames(std::size_t count, std::size_t in_flight, const FrameStages& stages);
 
-/// How many frames of this size may be in flight: enough for the threads, few enough for memory.
-std::size_t frames_in_flight(int width, int height, int threads);
+/// How many frames of so many bytes may be in flight: enough for the threads, few enough for memory.
+std::size_t frames_in_flight(std::size_t frame_bytes, int threads);
 
 }  // namespace barrido::cli

@@ -12,6 +12,7 @@
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/scene_nodes.h"
+#include "viewer/barrido/commands.h"
 #include "viewer/barrido/frame_output.h"
 #include "viewer/barrido/stopwatch.h"
 
@@ -31,8 +32,27 @@ int thread_count() {
 
 /// Formats that hold floats as the renderer makes them; the others get the 8-bit picture.
 bool holds_floats(const std::string& output) {
-  const std::string extension = std::filesystem::path(output).extension().string();
-  return extension == ".exr" || extension == ".hdr" || extension == ".EXR" || extension == ".HDR";
+  std::string extension = std::filesystem::path(output).extension().string();
+  for (char& letter : extension)
+    letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
+  return extension == ".exr" || extension == ".hdr";
+}
+
+/// Of a drawn frame, with as much again for encoding it.
+std::size_t frame_bytes(const scene::RenderSettings& settings) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+  return pixels * (settings.keep_float ? 40 : 8);
+}
+
+/// Makes the folders that the frames lie in, before time is spent on drawing.
+void make_folders(const std::vector<PlannedFrame>& frames) {
+  std::set<std::filesystem::path> made;
+  for (const PlannedFrame& frame : frames) {
+    if (frame.output.empty() || frame.output == "-") continue;
+    if (made.insert(std::filesystem::path(frame.output).parent_path()).second)
+      make_parent_folder(frame.output);
+  }
 }
 
 }  // namespace
@@ -50,7 +70,7 @@ int RenderCall::run() {
   if (options_.sheet) write_sheet();
   console_.end_progress();
   if (options_.stats != StatsFormat::none) print_costs(watch.milliseconds());
-  return all_fine ? 0 : 2;
+  return all_fine ? kExitFine : kExitError;
 }
 
 /// Colours are passed as they are to be seen: the renderer undoes its own display transform.
@@ -120,9 +140,7 @@ std::vector<PlannedFrame> RenderCall::plan(const scene::Scene& scene, const std:
 
 void RenderCall::render_frames(const scene::Scene& scene, const std::string& path,
                                const std::vector<PlannedFrame>& frames) {
-  for (const PlannedFrame& frame : frames) {
-    if (!frame.output.empty() && frame.output != "-") make_parent_folder(frame.output);
-  }
+  make_folders(frames);
   scene::SceneRenderer renderer(scene);
   std::set<std::string> warned;
   FrameStages stages;
@@ -137,7 +155,7 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
   };
   stages.encode = [this](FrameInFlight& frame) { encode(frame); };
   stages.deliver = [this](FrameInFlight& frame) { deliver(frame); };
-  run_frames(frames.size(), frames_in_flight(settings_.width, settings_.height, thread_count()), stages);
+  run_frames(frames.size(), frames_in_flight(frame_bytes(settings_), thread_count()), stages);
 }
 
 void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const {

@@ -95,13 +95,15 @@ TEST(FramePipeline, TheFirstFrameThatFailsEndsIt) {
       EXPECT_STREQ(error.what(), "frame 5");
     }
     EXPECT_EQ(trace.delivered, first(5)) << "stage " << stage;
-    if (stage == 0) EXPECT_EQ(trace.drawn, first(6));
+    if (stage == 0) {
+      EXPECT_EQ(trace.drawn, first(6));
+    }
   }
 }
 
 TEST(FramePipeline, BigFramesAreFewerAtATime) {
-  EXPECT_EQ(frames_in_flight(640, 480, 4), 6u);
-  EXPECT_EQ(frames_in_flight(16384, 16384, 4), 1u);
+  EXPECT_EQ(frames_in_flight(640 * 480 * 4, 4), 6u);
+  EXPECT_EQ(frames_in_flight(std::size_t{16384} * 16384 * 4, 4), 1u);
 }
 
 }  // namespace

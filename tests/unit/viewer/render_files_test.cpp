@@ -134,8 +134,12 @@ TEST(HostileFiles, AreRefusedInOneLineOrDrawn) {
     const Outcome outcome = run({"render", (hostile / file).string(), "-o", out, "--resolution", "64,48",
                                  "--quiet", "--threads", "1"},
                                 {folder.path(), "", false, 0});
-    if (expected == "ERROR") EXPECT_EQ(outcome.status, 2) << file;
-    if (expected == "SAFE") EXPECT_EQ(outcome.status, 0) << file << ": " << outcome.error;
+    if (expected == "ERROR") {
+      EXPECT_EQ(outcome.status, 2) << file;
+    }
+    if (expected == "SAFE") {
+      EXPECT_EQ(outcome.status, 0) << file << ": " << outcome.error;
+    }
     EXPECT_TRUE(outcome.status == 0 || outcome.status == 2) << file << ": " << outcome.status;
     EXPECT_EQ(lines_of(outcome.error).size(), outcome.status == 0 ? 0u : 1u) << file << ": " << outcome.error;
     EXPECT_EQ(std::filesystem::exists(out), outcome.status == 0) << file;

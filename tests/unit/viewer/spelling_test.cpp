@@ -20,7 +20,9 @@ TEST(Spelling, NearestIsTheFirstOfTheNearEnough) {
   constexpr std::array<std::string_view, 4> kNames{"--resolution", "--light", "--fps", "--up"};
   EXPECT_EQ(nearest("--resolutoin", kNames), "--resolution");
   EXPECT_EQ(nearest("--lights", kNames), "--light");
-  EXPECT_EQ(nearest("--size", kNames), "--fps");  // Two of six letters: near enough.
+  EXPECT_EQ(nearest("--fsp", kNames), "--fps");
+  EXPECT_EQ(nearest("--upp", kNames), "--up");
+  EXPECT_EQ(nearest("--size", kNames), "");
   EXPECT_EQ(nearest("--something-else", kNames), "");
   EXPECT_EQ(nearest("", kNames), "");
   EXPECT_EQ(nearest(std::string(100'000, 'x'), kNames), "");
