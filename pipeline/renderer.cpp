@@ -37,6 +37,7 @@ void Renderer::finish() {
   implementation_->release_draws();
   Statistics& statistics = frame.statistics;
   statistics.raster = frame.rasterizer.statistics();
+  statistics.interpolations = statistics.raster.interpolations;
   statistics.illuminations_fragment = frame.fragment_counters.illuminations();
   statistics.powers = frame.powers_before_fragments + frame.fragment_counters.powers();
 }

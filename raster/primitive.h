@@ -25,6 +25,10 @@ inline constexpr int kRecordDepth = 0;
 inline constexpr int kRecordQ = 1;
 inline constexpr int kRecordVaryings = 2;
 
+/// Every number in a record must be finite and at most this in magnitude. What comes from one is then the
+/// same bits on every machine: no conversion between double and float overflows.
+inline constexpr float kMaxRecordValue = 1e22f;
+
 /// Floats from one record to the next: padded to whole groups of eight so that setup reads full vectors.
 constexpr int record_stride(int varying_count) { return (kRecordVaryings + varying_count + 7) / 8 * 8; }
 

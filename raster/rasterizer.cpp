@@ -30,6 +30,7 @@ void add(RasterStatistics& sum, const RasterStatistics& part) {
   sum.spans += part.spans;
   sum.fragments_covered += part.fragments_covered;
   sum.fragments_shaded += part.fragments_shaded;
+  sum.interpolations += part.interpolations + part.fragments_covered;
   sum.texel_fetches += part.texel_fetches;
 }
 

@@ -28,6 +28,9 @@ void shade_batch(TileWorkspace& workspace) {
     combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
   write_fragments(batch, workspace.surface);
+  const bool divides = state.varyings.count > state.varyings.affine_count;
+  workspace.statistics.interpolations += static_cast<std::uint64_t>(batch.count) *
+                                         static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
   workspace.statistics.fragments_shaded += static_cast<std::uint64_t>(batch.count);
   batch.count = 0;
   batch.run_count = 0;

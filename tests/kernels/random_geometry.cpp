@@ -72,9 +72,7 @@ class GeometryBuilder {
     // Half-way between two bytes: how colours are rounded must be the same too.
     if (random_.chance(8)) return (static_cast<float>(random_.between(0, 255)) + 0.5f) / 255.0f;
     if (options_.hostile && random_.chance(4)) {
-      constexpr float kInfinity = std::numeric_limits<float>::infinity();
-      return random_.pick({kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN(), 3e38f, -3e38f,
-                           1e-45f, 0.0f, 1e30f});
+      return random_.pick({kMaxRecordValue, -kMaxRecordValue, 1e15f, -1e12f, 1e-45f, -1e-38f, 0.0f, -0.0f});
     }
     return random_.number(-0.5f * varying_scale_, varying_scale_);
   }

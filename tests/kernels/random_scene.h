@@ -23,7 +23,7 @@ struct RandomScene {
 };
 
 struct SceneOptions {
-  /// Some vertices carry infinities, NaNs and numbers near the limits of float.
+  /// Some vertices carry numbers at the limits of what the rasterizer accepts, 1/w of any sign among them.
   bool hostile = false;
 };
 
