@@ -191,6 +191,50 @@ TEST_F(Environment, FacesMeetAtTheirEdges) {
   }
 }
 
+/// A panorama of noise turned by a quarter gives the same faces, each a quarter further on; what goes wrong
+/// at the picture's edges or poles goes wrong in another place of the turned one.
+TEST_F(Environment, NoSeamWhereThePictureEnds) {
+  const int height = 34, width = 68;  // odd faces: their middle columns lie on the picture's edge
+  const Bytes noise = noise_rgba(width, height, true, 6);
+  const Bytes turned = paint(width, height, [&](int x, int y) -> Rgba {
+    const std::uint8_t* from = noise.data() + (y * width + (x + width / 4) % width) * 4;
+    return {from[0], from[1], from[2], from[3]};
+  });
+  write("a.png", width, height, noise);
+  write("b.png", width, height, turned);
+  const CubeMapImage a = read_environment(folder_ / "a.png"), b = read_environment(folder_ / "b.png");
+  const int n = a.size;
+  const auto texel = [n](const CubeMapImage& cube, std::size_t face, int x, int y, std::size_t c) {
+    return cube.faces_rgba[face][static_cast<std::size_t>(y * n + x) * 4 + c];
+  };
+  // What stood to the right, +X, now stands in the middle, −Z, and so on.
+  const std::array<std::size_t, 6> from{4, 5, 2, 3, 1, 0};
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        const int u = face == 2 ? n - 1 - y : face == 3 ? y : x;
+        const int v = face == 2 ? x : face == 3 ? n - 1 - x : y;
+        const bool pole = (face == 2 || face == 3) && x == n / 2 && y == n / 2;  // has no direction to turn
+        for (std::size_t c = 0; c < 3 && !pole; ++c) {
+          ASSERT_NEAR(texel(b, face, x, y, c), texel(a, from[face], u, v, c), 1)
+              << "face " << face << ": " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Environment, PolesAreTheMeanOfOppositeLongitudes) {
+  const Bytes four{0, 0, 0, 255, 40, 0, 0, 255, 80, 0, 0, 255, 200, 0, 0, 255};
+  Bytes rgba = four;
+  for (std::size_t i = 0; i < four.size(); ++i) rgba.push_back(i % 4 == 3 ? 255 : four[i] / 2);
+  write("a.png", 4, 2, rgba);
+  const CubeMapImage cube = read_environment(folder_ / "a.png", 0.0f, false);
+  ASSERT_EQ(cube.size, 1);
+  EXPECT_EQ(cube.faces_rgba[2][0], 80);
+  EXPECT_EQ(cube.faces_rgba[3][0], 40);
+}
+
 TEST_F(Environment, BytesOfAUniformPanoramaPassUnchanged) {
   for (const bool srgb : {true, false}) {
     for (int value = 0; value < 256; ++value) {
@@ -217,6 +261,12 @@ TEST_F(Environment, HighRangeIsExposedClampedAndEncoded) {
   EXPECT_EQ(first_texel(0.0f, true), (Bytes{99, 188, 255, 255}));
   EXPECT_EQ(first_texel(2.0f, false), (Bytes{128, 255, 255, 255}));
   EXPECT_EQ(first_texel(-1.0f, true), (Bytes{71, 137, 255, 255}));
+
+  std::vector<float> cross;
+  for (int i = 0; i < 12; ++i) cross.insert(cross.end(), {0.125f, 0.5f, 40.0f, 1.0f});
+  write_image(path, {4, 3, {}, cross});
+  EXPECT_EQ(first_texel(-1.0f, true), (Bytes{71, 137, 255, 255}));
+  EXPECT_EQ(first_texel(2.0f, false), (Bytes{128, 255, 255, 255}));
 }
 
 TEST_F(Environment, BadInputIsOneClearMessage) {

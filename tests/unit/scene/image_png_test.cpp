@@ -174,11 +174,11 @@ TEST(EncodePng, GradientsAreFilteredAndKept) {
 }
 
 TEST(EncodePng, WithoutAlphaIsComposedOverBlack) {
-  const Bytes rgba{200, 100, 50, 128, 255, 255, 255, 0, 9, 8, 7, 255};
+  const Bytes rgba{200, 100, 50, 130, 255, 255, 255, 0, 9, 8, 7, 255};
   WriteOptions options;
   options.write_alpha = false;
   const Image image = decode_image(encode_png({3, 1, rgba, {}}, options), "x.png");
-  EXPECT_EQ(image.rgba, (Bytes{100, 50, 25, 255, 0, 0, 0, 255, 9, 8, 7, 255}));
+  EXPECT_EQ(image.rgba, (Bytes{102, 51, 25, 255, 0, 0, 0, 255, 9, 8, 7, 255}));
 }
 
 TEST(EncodePng, SameBytesEveryTime) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "image_test_support.h"
+#include "pipeline/scene/image_file.h"
 
 namespace barrido::scene::test {
 namespace {
@@ -80,6 +81,29 @@ TEST(WriteImage, AFailureLeavesTheOldFile) {
   write_bytes(folder / "a.jpg", old);
   EXPECT_THROW(write_image(folder / "a.jpg", {70000, 1, wide, {}}), InputError);
   EXPECT_EQ(bytes_of_file(folder / "a.jpg"), old);
+  EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(WriteAtomically, AWriterThatFailsLeavesNothing) {
+  const TemporaryFolder folder;
+  fs::path seen;
+  const auto fail = [&seen](const fs::path& file) {
+    seen = file;
+    write_bytes(file, Bytes{1, 2, 3});
+    throw InputError("x", "", "failed half-way");
+  };
+  EXPECT_EQ(message_of([&] { write_atomically(folder / "a.exr", fail); }), "x: failed half-way");
+  EXPECT_EQ(seen.parent_path(), folder.path()) << "a file elsewhere could not be renamed";
+  EXPECT_EQ(files_in(folder.path()), 0u);
+}
+
+TEST(WriteAtomically, TheNameAppearsWhenAllIsWritten) {
+  const TemporaryFolder folder;
+  write_atomically(folder / "a", [&](const fs::path& file) {
+    write_bytes(file, Bytes{1, 2, 3});
+    EXPECT_FALSE(fs::exists(folder / "a"));
+  });
+  EXPECT_EQ(bytes_of_file(folder / "a"), (Bytes{1, 2, 3}));
   EXPECT_EQ(files_in(folder.path()), 1u);
 }
 

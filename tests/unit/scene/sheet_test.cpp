@@ -148,6 +148,20 @@ TEST(SheetText, ScalesAndWidths) {
   }
 }
 
+TEST(SheetText, SlopesAreSmoothedWhenScaledStemsAreNot) {
+  const auto differing = [](const char* text) {
+    const TextMask small = draw_text(text, {1, false}), large = draw_text(text, {2, false});
+    int count = 0;
+    for (int y = 0; y < large.height; ++y) {
+      for (int x = 0; x < large.width; ++x) count += large.at(x, y) != small.at(x / 2, y / 2);
+    }
+    return count;
+  };
+  EXPECT_GT(differing("N"), 0);
+  EXPECT_EQ(differing("-"), 0);
+  EXPECT_EQ(differing("|"), 0);
+}
+
 TEST(SheetText, IsCutToFit) {
   EXPECT_EQ(fit_text("short", {1, false}, 100), "short");
   const std::string cut = fit_text("a long label \xc3\x97\xc3\x97\xc3\x97", {1, false}, 60);
