@@ -61,7 +61,8 @@ const raster::Texture& studio(raster::Encoding encoding, SceneCaches& caches) {
   return caches.studio.emplace(encoding, make_studio(encoding)).first->second;
 }
 
-void choose_surroundings(Frame& frame, const RenderSettings& settings, SceneCaches& caches) {
+void choose_surroundings(Frame& frame, const SceneSettings* own, const RenderSettings& settings,
+                         SceneCaches& caches) {
   const bool has_environment = settings.environment && settings.environment->is_cube();
   if (has_environment) {
     frame.surroundings = settings.environment.get();
@@ -72,7 +73,8 @@ void choose_surroundings(Frame& frame, const RenderSettings& settings, SceneCach
     frame.surroundings_from_world = glm::mat4(glm::mat3(frame.view.eye_from_world));
   }
   frame.backdrop_in_view = settings.background == Background::environment;
-  frame.backdrop_in_reflection = has_environment || frame.backdrop_in_view || !settings.background_color;
+  const bool has_color = settings.background_color || (own != nullptr && own->background);
+  frame.backdrop_in_reflection = has_environment || frame.backdrop_in_view || !has_color;
 }
 
 SurfaceOptions surface_options(const RenderSettings& settings) {
@@ -130,7 +132,7 @@ Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCac
   frame.fog = choose_fog(own, settings);
   frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg,
                              surface_options(settings), caches.geometry, caches.textures);
-  choose_surroundings(frame, settings, caches);
+  choose_surroundings(frame, own, settings, caches);
   return frame;
 }
 
