@@ -1,0 +1,192 @@
+// Phong and cheap Phong shading as GLSL 1.20, from OpenGL 1.3's equations 2.4 and 2.5 and the two variants of
+// cheap Phong. Lights, materials and matrices are read from the fixed-function state.
+#include <stdexcept>
+#include <string>
+
+#include "tests/osmesa/gl_state.h"
+
+namespace barrido::crosscheck {
+namespace {
+
+// Definitions that stand before this: LIGHTS, LOCAL_VIEWER, TWO_SIDED, R_DOT_V,
+// AMBIENT/DIFFUSE/SPECULAR/EMISSION_TRACKS.
+constexpr const char* kCommon = R"(
+float attenuation(int i, vec3 position, vec3 to_light, float d) {
+  if (gl_LightSource[i].position.w == 0.0) d = 0.0;
+  float f = gl_LightSource[i].position.w == 0.0 ? 1.0
+          : 1.0 / (gl_LightSource[i].constantAttenuation + gl_LightSource[i].linearAttenuation * d
+                   + gl_LightSource[i].quadraticAttenuation * d * d);
+  if (gl_LightSource[i].spotCutoff != 180.0) {
+    float c = dot(-to_light, normalize(gl_LightSource[i].spotDirection));
+    f *= c >= gl_LightSource[i].spotCosCutoff ? pow(max(c, 0.0), gl_LightSource[i].spotExponent) : 0.0;
+  }
+  return f;
+}
+vec3 to_light(int i, vec3 position, out float d) {
+  vec4 p = gl_LightSource[i].position;
+  vec3 v = p.w == 0.0 ? p.xyz : p.xyz / p.w - position;
+  d = length(v);
+  return v / d;
+}
+vec3 to_viewer(vec3 position) { return LOCAL_VIEWER ? normalize(-position) : vec3(0.0, 0.0, 1.0); }
+float highlight(vec3 n, vec3 l, vec3 v) {
+  return R_DOT_V ? dot(2.0 * dot(n, l) * n - l, v) : dot(n, normalize(l + v));
+}
+float power(float x, float n) { return n == 0.0 ? 1.0 : pow(max(x, 0.0), n); }
+gl_MaterialParameters material(bool back) {
+  gl_MaterialParameters m = gl_FrontMaterial;
+  if (back) m = gl_BackMaterial;
+  return m;
+}
+gl_MaterialParameters tracked(gl_MaterialParameters m, vec4 color) {
+  if (AMBIENT_TRACKS) m.ambient = color;
+  if (DIFFUSE_TRACKS) m.diffuse = color;
+  if (SPECULAR_TRACKS) m.specular = color;
+  if (EMISSION_TRACKS) m.emission = color;
+  return m;
+}
+)";
+
+constexpr const char* kPhongVertex = R"(
+varying vec3 normal; varying vec3 position; varying vec4 color;
+void main() {
+  gl_Position = ftransform();
+  normal = gl_NormalMatrix * gl_Normal;
+  position = vec3(gl_ModelViewMatrix * gl_Vertex);
+  color = gl_Color;
+}
+)";
+
+constexpr const char* kPhongFragment = R"(
+varying vec3 normal; varying vec3 position; varying vec4 color;
+void main() {
+  bool back = TWO_SIDED && !gl_FrontFacing;
+  gl_MaterialParameters m = tracked(material(back), color);
+  vec3 n = normalize(normal);
+  if (back) n = -n;
+  vec3 v = to_viewer(position);
+  vec3 primary = m.emission.rgb + m.ambient.rgb * gl_LightModel.ambient.rgb;
+  vec3 secondary = vec3(0.0);
+  for (int i = 0; i < LIGHTS; ++i) {
+    float d;
+    vec3 l = to_light(i, position, d);
+    float f = attenuation(i, position, l, d);
+    float n_dot_l = dot(n, l);
+    primary += f * (m.ambient.rgb * gl_LightSource[i].ambient.rgb
+                    + max(n_dot_l, 0.0) * m.diffuse.rgb * gl_LightSource[i].diffuse.rgb);
+    if (n_dot_l > 0.0) {
+      secondary += f * power(highlight(n, l, v), m.shininess) * m.specular.rgb * gl_LightSource[i].specular.rgb;
+    }
+  }
+  gl_FragColor = clamp(vec4(primary + secondary, m.diffuse.a), 0.0, 1.0);
+}
+)";
+
+// The light's weakening f stands in what is interpolated: f N.L, and f^(1/n) h or f h^n.
+constexpr const char* kCheapVertex = R"(
+varying vec4 color; varying vec4 dots[LIGHTS]; varying vec3 ambient_front; varying vec3 ambient_back;
+float second(float n_dot_l, float h, float f, float n) {
+  if (POWER_AT_VERTEX || n == 0.0) return n_dot_l > 0.0 ? f * power(h, n) : 0.0;
+  return pow(f, 1.0 / n) * h;
+}
+void main() {
+  gl_Position = ftransform();
+  color = gl_Color;
+  vec3 n = normalize(gl_NormalMatrix * gl_Normal);
+  vec3 p = vec3(gl_ModelViewMatrix * gl_Vertex);
+  vec3 v = to_viewer(p);
+  gl_MaterialParameters front = tracked(material(false), gl_Color);
+  gl_MaterialParameters back = tracked(material(true), gl_Color);
+  ambient_front = vec3(0.0);
+  ambient_back = vec3(0.0);
+  for (int i = 0; i < LIGHTS; ++i) {
+    float d;
+    vec3 l = to_light(i, p, d);
+    float f = attenuation(i, p, l, d);
+    float n_dot_l = dot(n, l);
+    dots[i] = vec4(f * n_dot_l, second(n_dot_l, highlight(n, l, v), f, front.shininess),
+                   -f * n_dot_l, second(-n_dot_l, highlight(-n, l, v), f, back.shininess));
+    ambient_front += f * front.ambient.rgb * gl_LightSource[i].ambient.rgb;
+    ambient_back += f * back.ambient.rgb * gl_LightSource[i].ambient.rgb;
+  }
+}
+)";
+
+constexpr const char* kCheapFragment = R"(
+varying vec4 color; varying vec4 dots[LIGHTS]; varying vec3 ambient_front; varying vec3 ambient_back;
+void main() {
+  bool back = TWO_SIDED && !gl_FrontFacing;
+  gl_MaterialParameters m = tracked(material(back), color);
+  vec3 c = m.emission.rgb + m.ambient.rgb * gl_LightModel.ambient.rgb + (back ? ambient_back : ambient_front);
+  for (int i = 0; i < LIGHTS; ++i) {
+    vec2 at = back ? dots[i].zw : dots[i].xy;
+    c += max(at.x, 0.0) * m.diffuse.rgb * gl_LightSource[i].diffuse.rgb;
+    float s = at.y;
+    if (!POWER_AT_VERTEX && m.shininess != 0.0) s = at.x > 0.0 ? power(at.y, m.shininess) : 0.0;
+    c += s * m.specular.rgb * gl_LightSource[i].specular.rgb;
+  }
+  gl_FragColor = clamp(vec4(c, m.diffuse.a), 0.0, 1.0);
+}
+)";
+
+std::string definitions(const pipeline::State& state, bool has_vertex_colors) {
+  using pipeline::ColorMaterial;
+  const pipeline::Lighting& lighting = state.lighting;
+  const ColorMaterial tracks = has_vertex_colors ? lighting.color_material : ColorMaterial::none;
+  const bool both = tracks == ColorMaterial::ambient_and_diffuse;
+  std::string text = "#version 120\n";
+  const auto define = [&text](const std::string& name, bool value) {
+    text += "#define " + name + (value ? " true\n" : " false\n");
+  };
+  text += "#define LIGHTS " + std::to_string(lighting.lights.size()) + "\n";
+  define("LOCAL_VIEWER", lighting.local_viewer);
+  define("TWO_SIDED", lighting.two_sided);
+  define("R_DOT_V", lighting.specular_model == pipeline::SpecularModel::phong);
+  define("POWER_AT_VERTEX", state.cheap_phong_power == pipeline::CheapPhongPower::vertex);
+  define("AMBIENT_TRACKS", both || tracks == ColorMaterial::ambient);
+  define("DIFFUSE_TRACKS", both || tracks == ColorMaterial::diffuse);
+  define("SPECULAR_TRACKS", tracks == ColorMaterial::specular);
+  define("EMISSION_TRACKS", tracks == ColorMaterial::emission);
+  return text + kCommon;
+}
+
+void attach(GLuint program, GLenum stage, const std::string& source) {
+  const GLuint shader = glCreateShader(stage);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  GLint compiled = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (compiled == 0) {
+    char log[2048] = "";
+    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    throw std::runtime_error(std::string("a reference shader does not compile: ") + log);
+  }
+  glDeleteShader(shader);
+}
+
+}  // namespace
+
+GLuint begin_shading(const pipeline::State& state, bool has_vertex_colors) {
+  using pipeline::ShadeModel;
+  const bool phong = state.shade_model == ShadeModel::phong;
+  if (!state.lighting.enabled || (!phong && state.shade_model != ShadeModel::cheap_phong)) return 0;
+  const std::string head = definitions(state, has_vertex_colors);
+  const GLuint program = glCreateProgram();
+  attach(program, GL_VERTEX_SHADER, head + (phong ? kPhongVertex : kCheapVertex));
+  attach(program, GL_FRAGMENT_SHADER, head + (phong ? kPhongFragment : kCheapFragment));
+  glLinkProgram(program);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked == 0) throw std::runtime_error("a reference program does not link");
+  glUseProgram(program);
+  return program;
+}
+
+void end_shading(GLuint program) {
+  glUseProgram(0);
+  if (program != 0) glDeleteProgram(program);
+}
+
+}  // namespace barrido::crosscheck
