@@ -59,10 +59,10 @@ TEST_F(Info, JsonHoldsTheSame) {
 TEST_F(Info, TexturesHaveSizes) {
   const auto json = nlohmann::json::parse(info({"bumps.glb", "--json"}).out);
   ASSERT_EQ(json["images"].size(), 1u);
-  EXPECT_EQ(json["images"][0]["width"], 64);
-  EXPECT_EQ(json["images"][0]["height"], 64);
+  EXPECT_EQ(json["images"][0]["width"], 16);
+  EXPECT_EQ(json["images"][0]["height"], 16);
   EXPECT_EQ(json["stored"]["triangles"], 32);
-  EXPECT_NE(info({"bumps.glb"}).out.find("64 x 64"), std::string::npos);
+  EXPECT_NE(info({"bumps.glb"}).out.find("16 x 16"), std::string::npos);
 }
 
 TEST_F(Info, FilesThatCannotBeReadAreOneLine) {

@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/scene/image_io.h"
@@ -133,7 +134,7 @@ std::vector<std::uint8_t> noise(std::size_t count) {
 }
 
 int add_noisy_material(Builder& builder) {
-  constexpr int kSide = 64;
+  constexpr int kSide = 16;
   std::vector<std::uint8_t> pixels = noise(kSide * kSide * 4);
   for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = 255;
   const auto png = scene::encode_png({kSide, kSide, pixels, {}});
@@ -141,8 +142,10 @@ int add_noisy_material(Builder& builder) {
   const int image =
       builder.add("images", {{"bufferView", view}, {"mimeType", "image/png"}, {"name", "noise"}});
   const int texture = builder.add("textures", {{"source", image}});
-  return builder.add("materials", {{"pbrMetallicRoughness",
-                                    {{"baseColorTexture", {{"index", texture}}}, {"metallicFactor", 0.0}}}});
+  return builder.add(
+      "materials",
+      {{"pbrMetallicRoughness",
+        {{"baseColorTexture", {{"index", texture}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.5}}}});
 }
 
 }  // namespace
@@ -186,7 +189,9 @@ void write_textured_glb(const std::filesystem::path& path, int cells) {
       const float v = static_cast<float>(j) / static_cast<float>(cells);
       const float bump = 0.2f * static_cast<float>((i * 7 + j * 13) % 5) / 5.0f;
       positions.insert(positions.end(), {2 * u - 1, 2 * v - 1, bump});
-      normals.insert(normals.end(), {0, 0, 1});
+      const glm::vec3 normal =
+          glm::normalize(glm::vec3(0.4f * std::sin(u * 9), 0.4f * std::sin(v * 7), 1.0f));
+      normals.insert(normals.end(), {normal.x, normal.y, normal.z});
       texcoords.insert(texcoords.end(), {u, v});
     }
   }
