@@ -23,29 +23,28 @@ HWY_INLINE void fill(float value, int count, float* out) {
 }
 
 /// The vectors that lie wholly inside `count` packed elements. @return how many elements that were.
+template <bool kBounded>
 int fetch_packed(const float* from, int components, int count, BatchArray* out) {
   const F d;
-  V a, b, c, e;
+  V element[4];
   int i = 0;
   for (; i + kLanes <= count; i += kLanes, from += components * kLanes) {
     if (components == 3) {
-      hn::LoadInterleaved3(d, from, a, b, c);
+      hn::LoadInterleaved3(d, from, element[0], element[1], element[2]);
     } else if (components == 2) {
-      hn::LoadInterleaved2(d, from, a, b);
+      hn::LoadInterleaved2(d, from, element[0], element[1]);
     } else {
-      hn::LoadInterleaved4(d, from, a, b, c, e);
-      hn::Store(e, d, out[3] + i);
+      hn::LoadInterleaved4(d, from, element[0], element[1], element[2], element[3]);
     }
-    hn::Store(a, d, out[0] + i);
-    hn::Store(b, d, out[1] + i);
-    if (components > 2) hn::Store(c, d, out[2] + i);
+    for (int c = 0; c < components; ++c) {
+      hn::Store(kBounded ? bounded_or_zero(element[c]) : element[c], d, out[c] + i);
+    }
   }
   return i;
 }
 
 void FetchAttribute(const Attribute& attribute, const glm::vec4& constant, std::uint32_t first, int count,
                     int components, bool bound, BatchArray* out) {
-  const F d;
   const int padded = (count + kVertexPadding - 1) / kVertexPadding * kVertexPadding;
   const int given = attribute.data != nullptr ? attribute.components : 0;
   for (int c = given; c < components; ++c) {
@@ -54,14 +53,18 @@ void FetchAttribute(const Attribute& attribute, const glm::vec4& constant, std::
   if (given == 0) return;
   const auto stride = static_cast<std::size_t>(attribute.stride);
   const float* from = attribute.data + static_cast<std::size_t>(first) * stride;
-  const bool packed = attribute.stride == given && given <= components;
-  const int fetched = packed ? fetch_packed(from, given, count, out) : 0;
+  int fetched = 0;
+  if (attribute.stride == given && given <= components) {
+    fetched =
+        bound ? fetch_packed<true>(from, given, count, out) : fetch_packed<false>(from, given, count, out);
+  }
   const int wanted = given < components ? given : components;
   for (int c = 0; c < wanted; ++c) {
-    for (int i = fetched; i < padded; ++i)
-      out[c][i] = i < count ? from[static_cast<std::size_t>(i) * stride + static_cast<std::size_t>(c)] : 0.0f;
-    for (int i = 0; bound && i < padded; i += kLanes) {
-      hn::Store(bounded_or_zero(hn::Load(d, out[c] + i)), d, out[c] + i);
+    for (int i = fetched; i < padded; ++i) {
+      const float value =
+          i < count ? from[static_cast<std::size_t>(i) * stride + static_cast<std::size_t>(c)] : 0.0f;
+      const bool keep = !bound || (value < kBound && value > -kBound);
+      out[c][i] = keep ? value : 0.0f;
     }
   }
 }
