@@ -27,7 +27,11 @@ class Classifier {
     for (const DrawCall& draw : pair_.draws) add(draw);
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       if (has_depth_tie(surfaces_[i])) mark(i, PixelClass::tie);
-      if (blends_) rules_[i].layers *= std::max(1, fragments_[i]);
+      if (blends_) {
+        // One rounding a layer; factors and equations that read the destination twice can double what came
+        // before.
+        rules_[i].layers *= (1 << std::clamp(fragments_[i], 1, 8)) - 1;
+      }
     }
     return std::move(rules_);
   }
@@ -37,9 +41,7 @@ class Classifier {
     return static_cast<std::size_t>((pair_.height - 1 - y) * pair_.width + x);
   }
 
-  void mark(std::size_t i, PixelClass kind) {
-    if (rules_[i].kind == PixelClass::interior || kind == PixelClass::edge) rules_[i].kind = kind;
-  }
+  void mark(std::size_t i, PixelClass kind) { rules_[i].kind = std::max(rules_[i].kind, kind); }
 
   /// Calls visit(x, y) for the pixels around a segment that is within the frame.
   template <class Visit>

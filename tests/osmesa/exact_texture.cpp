@@ -44,13 +44,16 @@ glm::dvec4 coordinate(const DrawCall& draw, std::size_t unit, std::size_t vertex
   return glm::dmat4(rules.matrix) * c;
 }
 
+/// Vertices move by half of 1/256 pixel at most, in both axes.
+constexpr double kSnapping = 1.0 / 400.0;
+
 double wrapped(double x, raster::Wrap wrap) {
   if (wrap == raster::Wrap::repeat) return x - std::floor(x);
   if (wrap == raster::Wrap::mirrored_repeat) {
     const double m = x - 2.0 * std::floor(0.5 * x);
     return m > 1.0 ? 2.0 - m : m;
   }
-  return std::clamp(x, 0.0, 1.0);
+  return wrap == raster::Wrap::clamp_to_border ? std::clamp(x, -1.0, 2.0) : std::clamp(x, 0.0, 1.0);
 }
 
 }  // namespace
@@ -117,11 +120,12 @@ ExactUnit::Place ExactUnit::place_at(const ExactTriangle& triangle, double x, do
 }
 
 bool ExactUnit::near_texel_edge(const Place& place, int level) const {
-  constexpr double kTexels = 0.01;
   const raster::MipLevel& size = texture_.level(level);
+  const double texels_per_pixel = std::exp2(place.lod - unit_.lod_bias) * size.width / texture_.width();
+  const double near = 0.01 + texels_per_pixel * kSnapping;
   const double x = place.u * size.width;
   const double y = place.v * size.height;
-  return std::abs(x - std::floor(x + 0.5)) < kTexels || std::abs(y - std::floor(y + 0.5)) < kTexels;
+  return std::abs(x - std::floor(x + 0.5)) < near || std::abs(y - std::floor(y + 0.5)) < near;
 }
 
 std::array<double, 4> ExactUnit::bilinear(const Place& place, int level) const {
@@ -130,13 +134,14 @@ std::array<double, 4> ExactUnit::bilinear(const Place& place, int level) const {
   const double y = wrapped(place.v, texture_.options().wrap_t) * size.height - 0.5;
   const int i = static_cast<int>(std::floor(x));
   const int j = static_cast<int>(std::floor(y));
+  const auto within = [](int at, int side) { return std::clamp(at, -1, side); };
   std::array<double, 4> sum{};
   for (int corner = 0; corner < 4; ++corner) {
     const int right = corner & 1;
     const int up = corner >> 1;
     const double weight = (right != 0 ? x - i : 1 - x + i) * (up != 0 ? y - j : 1 - y + j);
     const auto texel =
-        texture_.texel(level, place.face, std::min(i + right, size.width), std::min(j + up, size.height));
+        texture_.texel(level, place.face, within(i + right, size.width), within(j + up, size.height));
     for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * static_cast<double>(texel[c]);
   }
   return sum;
@@ -168,6 +173,21 @@ double ExactUnit::level_difference(const Place& place, int level) const {
   return largest;
 }
 
+double ExactUnit::snapping_difference(const ExactTriangle& triangle, double x, double y, const Place& place,
+                                      int level) const {
+  const auto middle = bilinear(place, level);
+  double largest = 0.0;
+  for (const double dx : {-kSnapping, kSnapping}) {
+    for (const double dy : {-kSnapping, kSnapping}) {
+      const Place moved = place_at(triangle, x + dx, y + dy);
+      if (moved.face != place.face) continue;
+      const auto sample = bilinear(moved, level);
+      for (std::size_t c = 0; c < 4; ++c) largest = std::max(largest, std::abs(sample[c] - middle[c]));
+    }
+  }
+  return largest;
+}
+
 SampleRule ExactUnit::rule_at(const ExactTriangle& triangle, double x, double y) const {
   const Place p = place_at(triangle, x, y);
   const MinFilter min = unit_.min_filter;
@@ -180,6 +200,7 @@ SampleRule ExactUnit::rule_at(const ExactTriangle& triangle, double x, double y)
   rule.tie = p.face_tie;
   if (!mipmapped && min_nearest == mag_nearest) {
     rule.tie |= min_nearest && near_texel_edge(p, 0);
+    if (!min_nearest) rule.allowance = 255.0 * snapping_difference(triangle, x, y, p, 0);
     return rule;
   }
   // The level is chosen for small groups of pixels: two by two by some, four in a row by others.
@@ -198,6 +219,7 @@ SampleRule ExactUnit::rule_at(const ExactTriangle& triangle, double x, double y)
   const bool may_minify = p.lod + slack > threshold;
   if (may_magnify && may_minify && (min_nearest != mag_nearest || half)) rule.tie = true;
   if (may_magnify && mag_nearest) rule.tie |= near_texel_edge(p, 0);
+  if (may_magnify && !mag_nearest) rule.allowance = 255.0 * snapping_difference(triangle, x, y, p, 0);
   if (!may_minify) return rule;
   const int last = texture_.level_count() - 1;
   const auto clamped = [last](double level) {
@@ -207,9 +229,13 @@ SampleRule ExactUnit::rule_at(const ExactTriangle& triangle, double x, double y)
   const int high = mipmapped ? clamped(p.lod + slack + (between ? 1.0 : 0.5)) : 0;
   if (mipmapped && !between) rule.tie |= low != high;
   for (int level = low; min_nearest && level <= high; ++level) rule.tie |= near_texel_edge(p, level);
-  for (int level = low; between && level < high; ++level) {
-    rule.allowance = std::max(rule.allowance, 255.0 * slack * level_difference(p, level));
+  double moved = 0.0;
+  for (int level = low; !min_nearest && level <= high; ++level) {
+    moved = std::max(moved, snapping_difference(triangle, x, y, p, level));
   }
+  double apart = 0.0;
+  for (int level = low; between && level < high; ++level) apart = std::max(apart, level_difference(p, level));
+  rule.allowance = std::max(rule.allowance, 255.0 * (moved + slack * apart));
   return rule;
 }
 

@@ -32,6 +32,10 @@ class ExactUnit {
   bool near_texel_edge(const Place& place, int level) const;
   std::array<double, 4> bilinear(const Place& place, int level) const;
   double level_difference(const Place& place, int level) const;
+  /// What a linear filter changes when the surface moves by what snapping vertices to 1/256 pixel can move
+  /// it.
+  double snapping_difference(const ExactTriangle& triangle, double x, double y, const Place& place,
+                             int level) const;
 
   const raster::TextureUnit& unit_;
   const raster::Texture& texture_;

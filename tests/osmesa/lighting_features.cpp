@@ -106,7 +106,7 @@ constexpr Feature kFeatures[] = {
     {"several lights", several, {}},
     {"materials, colour material", materials, {}},
     {"two-sided lighting", two_sided, {}},
-    {"separate specular", separate_specular, {.interior_ppm = 1e6}},
+    {"separate specular", separate_specular, {}},
     {"normalize, rescale", normal_scaling, {}},
     {"Phong (GLSL)", phong, {}},
     {"cheap Phong, power per pixel (GLSL)", cheap_phong_pixel, {}},

@@ -41,7 +41,12 @@ pipeline::Light random_light(RandomBits& random, LightKind kind);
 LightKind any_kind(RandomBits& random);
 pipeline::Material random_material(RandomBits& random);
 
+/// 0^0 in the specular term, where the halfway vector lies behind a surface of shininess 0, is 1 by
+/// ARB_vertex_program and 0 in llvmpipe: such draws get a shininess of 1.
+void avoid_zero_power(DrawCall& draw);
+
 // Generators of features, one file a group.
+/// All functions, sources, operands and scales.
 void generate_texture_env_combine(RandomBits& random, raster::TextureUnit& unit);
 std::span<const Feature> geometry_features();
 std::span<const Feature> lighting_features();

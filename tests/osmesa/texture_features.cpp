@@ -54,8 +54,11 @@ void levels(RandomBits& random, ScenePair& pair, bool linear_between) {
   DrawCall draw = textured(random, pair, texture, random.number(1, 8));
   const MinFilter filters[] = {MinFilter::nearest_mipmap_nearest, MinFilter::linear_mipmap_nearest,
                                MinFilter::nearest_mipmap_linear, MinFilter::linear_mipmap_linear};
-  unit_filters(draw, filters[random.between(0, 1) + (linear_between ? 2 : 0)],
-               random.one_of_first<MagFilter>(2));
+  const MinFilter min = filters[random.between(0, 1) + (linear_between ? 2 : 0)];
+  // With a linear magnification filter these two magnify up to a level of detail of 1/2 (OpenGL 1.3,
+  // section 3.8.9); llvmpipe's limit is 0 always, so the case is left out.
+  const bool half = min == MinFilter::nearest_mipmap_nearest || min == MinFilter::nearest_mipmap_linear;
+  unit_filters(draw, min, half ? MagFilter::nearest : random.one_of_first<MagFilter>(2));
   if (random.chance(40)) draw.state.texture_units[0].lod_bias = random.number(-2, 3);
   pair.draws.push_back(std::move(draw));
 }
@@ -189,22 +192,21 @@ void combine(RandomBits& random, ScenePair& pair) {
   pair.draws.push_back(std::move(draw));
 }
 
-constexpr double kAny = 1e6;
 constexpr Feature kFeatures[] = {
     {"nearest, all wraps, any size", nearest_wraps, {.interior_ppm = 0}},
-    {"bilinear, all wraps, any size", bilinear_wraps, {.interior_ppm = kAny}},
-    {"nearest level, lod bias", nearest_level, {.interior_ppm = kAny}},
-    {"between levels, lod bias", trilinear, {.interior_ppm = kAny}},
+    {"bilinear, all wraps, any size", bilinear_wraps, {}},
+    {"nearest level, lod bias", nearest_level, {}},
+    {"between levels, lod bias", trilinear, {}},
     {"cube map, nearest", cube_nearest, {.interior_ppm = 0}},
-    {"cube map, bilinear", cube_linear, {.interior_ppm = kAny}},
-    {"cube map, trilinear", cube_trilinear, {.interior_ppm = kAny}},
-    {"texgen, object and eye linear", generate_linear, {.interior_ppm = kAny}},
-    {"texgen, sphere map", sphere_map, {.interior_ppm = kAny}},
-    {"texgen, reflection and normal map", cube_generated, {.interior_ppm = kAny}},
-    {"texture matrix, projective", texture_matrix, {.interior_ppm = kAny}},
-    {"texture environment, one unit", one_environment, {.interior_ppm = kAny}},
-    {"texture environment, two units", two_units, {.interior_ppm = kAny}},
-    {"combine, two units", combine, {.interior_ppm = kAny}},
+    {"cube map, bilinear", cube_linear, {}},
+    {"cube map, trilinear", cube_trilinear, {}},
+    {"texgen, object and eye linear", generate_linear, {}},
+    {"texgen, sphere map", sphere_map, {}},
+    {"texgen, reflection and normal map", cube_generated, {}},
+    {"texture matrix, projective", texture_matrix, {}},
+    {"texture environment, one unit", one_environment, {}},
+    {"texture environment, two units", two_units, {}},
+    {"combine, two units", combine, {}},
 };
 
 }  // namespace
