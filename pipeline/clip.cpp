@@ -1,5 +1,7 @@
 #include "pipeline/clip.h"
 
+#include <algorithm>
+
 #include "pipeline/bounded.h"
 
 namespace barrido::pipeline {
@@ -82,6 +84,10 @@ void clip_at(const VertexTransform& transform, int plane, ClipPolygon& polygon) 
   polygon = result;
 }
 
+/// What is left has a positive w, but where it is tiny beside the w of the corners, rounding may have taken
+/// it away.
+void keep_positive(ClipVertex& v) { v.w = std::max(v.w, static_cast<double>(kMinW)); }
+
 float row_times(const glm::mat4& m, int row, const glm::vec4& p) {
   return ((m[0][row] * p.x + m[1][row] * p.y) + m[2][row] * p.z) + m[3][row] * p.w;
 }
@@ -109,6 +115,7 @@ void clip_polygon(const VertexTransform& transform, ClipPolygon& polygon) {
   for (int plane = 0; plane < plane_end(transform) && polygon.count > 0; ++plane) {
     if (applies(transform, plane)) clip_at(transform, plane, polygon);
   }
+  for (int i = 0; i < polygon.count; ++i) keep_positive(polygon.vertices[static_cast<std::size_t>(i)]);
 }
 
 bool clip_line(const VertexTransform& transform, ClipVertex& a, ClipVertex& b) {
@@ -117,11 +124,14 @@ bool clip_line(const VertexTransform& transform, ClipVertex& a, ClipVertex& b) {
     const double d_a = distance(transform, a, plane);
     const double d_b = distance(transform, b, plane);
     if (d_a < 0.0 && d_b < 0.0) return false;
-    if (d_a < 0.0)
+    if (d_a < 0.0) {
       a = intersection(b, d_b, a, d_a);
-    else if (d_b < 0.0)
+    } else if (d_b < 0.0) {
       b = intersection(a, d_a, b, d_b);
+    }
   }
+  keep_positive(a);
+  keep_positive(b);
   return true;
 }
 

@@ -243,7 +243,7 @@ TEST(VertexStage, NoNumberThatIsNotFiniteLeaves) {
                           std::numeric_limits<float>::infinity(),
                           -std::numeric_limits<float>::infinity(),
                           std::numeric_limits<float>::max(),
-                          1e30f,
+                          1e11f,
                           0.0f,
                           1e-40f,
                           1.0f};
@@ -252,7 +252,7 @@ TEST(VertexStage, NoNumberThatIsNotFiniteLeaves) {
       if (random.chance(0.3)) number = values[random.below(8)];
     }
   };
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 200; ++round) {
     Vertices v(random, 3 + round % 2);
     spoil(v.positions);
     spoil(v.normals);
@@ -284,7 +284,9 @@ TEST(VertexStage, NoNumberThatIsNotFiniteLeaves) {
           ASSERT_LT(std::abs(p.x[k]), raster::kGuardBandPixels * raster::kSubpixelUnits);
           ASSERT_LT(std::abs(p.y[k]), raster::kGuardBandPixels * raster::kSubpixelUnits);
           const float* record = chunk.record(p.vertex[k], drawn.vertices.stride);
-          for (int f = 0; f < drawn.vertices.stride; ++f) ASSERT_TRUE(std::isfinite(record[f]));
+          for (int f = 0; f < drawn.vertices.stride; ++f) {
+            ASSERT_LE(std::abs(record[f]), raster::kMaxRecordValue);
+          }
         }
       }
       for (const raster::FlatColors& flat : chunk.flat) {
