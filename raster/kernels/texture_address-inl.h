@@ -196,7 +196,9 @@ HWY_INLINE VI linear_texel(VF u, VI size) {
   const F d;
   const I di;
   const auto size_f = hn::ConvertTo(d, size);
-  const auto fixed = hn::Mul(hn::Sub(hn::Mul(u, size_f), hn::Set(d, 0.5f)), hn::Set(d, 256.0f));
+  // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
+  const auto half = hn::Set(d, 0.5f - 0x1p-9f);
+  const auto fixed = hn::Mul(hn::Sub(hn::Mul(u, size_f), half), hn::Set(d, 256.0f));
   const auto bounded = barrido::HWY_NAMESPACE::minimum(
       barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), hn::Mul(size_f, hn::Set(d, 256.0f)));
   return hn::ConvertTo(di, hn::Floor(bounded));

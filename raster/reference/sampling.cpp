@@ -99,7 +99,8 @@ struct Neighbours {
 };
 
 Neighbours linear_neighbours(float u, int size, Wrap wrap) {
-  const float position = (wrapped(u, wrap) * static_cast<float>(size) - 0.5f) * 256.0f;
+  // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
+  const float position = (wrapped(u, wrap) * static_cast<float>(size) - (0.5f - 0x1p-9f)) * 256.0f;
   const float bounded = minimum(maximum(position, -256.0f), 256.0f * static_cast<float>(size));
   const int fixed = static_cast<int>(std::floor(bounded));
   return {fixed >> 8, static_cast<std::uint32_t>(fixed & 255)};
