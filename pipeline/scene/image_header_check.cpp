@@ -1,11 +1,15 @@
 #include "pipeline/scene/image_header_check.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "pipeline/scene/image_codecs.h"
 
 namespace barrido::scene {
 namespace {
+
+/// A reader makes a table with an entry for each tile before it looks whether there are any.
+constexpr std::uint64_t kMaxTiles = std::uint64_t{1} << 20;
 
 std::uint32_t little_endian(std::span<const std::uint8_t> bytes, std::size_t at, std::size_t count) {
   std::uint32_t value = 0;
@@ -43,10 +47,90 @@ void check_tga(std::span<const std::uint8_t> bytes, const std::string& name, con
   }
 }
 
+/// The attributes of an OpenEXR header one after the other (OpenEXR File Layout, "Structure of the header").
+class ExrAttributes {
+ public:
+  ExrAttributes(std::span<const std::uint8_t> bytes, const std::string& name) : rest_(bytes), name_(name) {}
+
+  struct Attribute {
+    std::string_view name, type;
+    std::span<const std::uint8_t> value;
+  };
+
+  /// False at the end of a header, which is taken as well.
+  bool next(Attribute& attribute) {
+    attribute.name = take_text();
+    if (attribute.name.empty()) return false;
+    attribute.type = take_text();
+    attribute.value = take(little_endian(take(4), 0, 4));
+    return true;
+  }
+
+  /// Whether another header of a file with several parts follows.
+  bool at_header() const { return !rest_.empty() && rest_[0] != 0; }
+
+ private:
+  std::span<const std::uint8_t> take(std::size_t count) {
+    if (count > rest_.size()) throw InputError(name_, "", "damaged EXR: the header is cut off");
+    const auto taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+  std::string_view take_text() {
+    const auto end = std::find(rest_.begin(), rest_.end(), std::uint8_t{0});
+    const auto text = take(static_cast<std::size_t>(end - rest_.begin()));
+    take(1);  // the zero
+    return {reinterpret_cast<const char*>(text.data()), text.size()};
+  }
+
+  std::span<const std::uint8_t> rest_;
+  const std::string& name_;
+};
+
+/// One header: the data window and the number of tiles.
+void check_exr_part(ExrAttributes& attributes, const std::string& name, const ImageLimits& limits) {
+  std::uint64_t width = 0, height = 0, tile_width = 0, tile_height = 0, chunks = 0;
+  ExrAttributes::Attribute attribute;
+  while (attributes.next(attribute)) {
+    const auto value = attribute.value;
+    if (attribute.name == "dataWindow" && value.size() == 16) {  // smallest x and y, largest x and y
+      const auto side = [&value](std::size_t low) {
+        const auto first = static_cast<std::int32_t>(little_endian(value, low, 4));
+        const auto last = static_cast<std::int32_t>(little_endian(value, low + 8, 4));
+        return last < first ? 0 : static_cast<std::uint64_t>(std::int64_t{last} - first + 1);
+      };
+      width = side(0);
+      height = side(4);
+    } else if (attribute.name == "tiles" && value.size() == 9) {
+      tile_width = std::max(little_endian(value, 0, 4), 1u);
+      tile_height = std::max(little_endian(value, 4, 4), 1u);
+    } else if (attribute.name == "chunkCount" && value.size() == 4) {
+      chunks = little_endian(value, 0, 4);
+    }
+  }
+  check_image_size(width, height, name, limits);
+  const std::uint64_t tiles =
+      tile_width == 0 ? 0
+                      : ((width + tile_width - 1) / tile_width) * ((height + tile_height - 1) / tile_height);
+  if (tiles > kMaxTiles || chunks > kMaxTiles) throw InputError(name, "", "it has too many tiles");
+}
+
+void check_exr(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {
+  constexpr std::size_t kMagicAndVersion = 8;
+  constexpr std::uint32_t kSeveralParts = 0x1000;
+  if (bytes.size() < kMagicAndVersion) throw InputError(name, "", "damaged EXR: the header is cut off");
+  const bool several = (little_endian(bytes, 4, 4) & kSeveralParts) != 0;
+  ExrAttributes attributes(bytes.subspan(kMagicAndVersion), name);
+  do {
+    check_exr_part(attributes, name, limits);
+  } while (several && attributes.at_header());
+}
+
 }  // namespace
 
 void check_header(std::span<const std::uint8_t> bytes, const FormatTraits& format, const std::string& name,
                   const ImageLimits& limits) {
+  if (format.format == ImageFormat::exr) check_exr(bytes, name, limits);
   if (format.format == ImageFormat::bmp) check_bmp(bytes, name, limits);
   if (format.format == ImageFormat::tga) check_tga(bytes, name, limits);
 }

@@ -1,7 +1,5 @@
 #include "pipeline/scene/image_read.h"
 
-#include <algorithm>
-
 #include "pipeline/scene/gltf_bytes.h"
 #include "pipeline/scene/image_codecs.h"
 #include "pipeline/scene/image_header_check.h"
@@ -27,7 +25,7 @@ Picture read_picture(const std::filesystem::path& path, const ImageLimits& limit
                      "not a picture in a format that is read (PNG, JPEG, EXR, HDR, TIFF, BMP, TGA)");
   }
   if (format->openimageio_name == nullptr) return decode_image(bytes, name, limits);
-  check_header(bytes.first(std::min(bytes.size(), kHeaderBytes)), *format, name, limits);
+  check_header(bytes, *format, name, limits);
   return read_with_module(path, *format, limits);
 }
 
