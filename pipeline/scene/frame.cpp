@@ -47,10 +47,13 @@ glm::vec4 choose_clear_color(const SceneSettings* own, const RenderSettings& set
   return glm::vec4(frame_color(glm::vec3(seen), settings), seen.a);
 }
 
-std::optional<raster::FogState> choose_fog(const SceneSettings* own, const RenderSettings& settings) {
+std::optional<raster::FogState> choose_fog(const SceneSettings* own, const RenderSettings& settings,
+                                           const glm::vec4& background) {
   if (!settings.fog) return own != nullptr ? own->fog : std::nullopt;
   raster::FogState fog = *settings.fog;
-  const glm::vec3 color = frame_color({fog.color[0], fog.color[1], fog.color[2]}, settings);
+  const glm::vec3 given(fog.color[0], fog.color[1], fog.color[2]);
+  const glm::vec3 color =
+      settings.fog_takes_background ? glm::vec3(background) : frame_color(given, settings);
   fog.color = {color.r, color.g, color.b, fog.color[3]};
   return fog;
 }
@@ -129,7 +132,7 @@ Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCac
   const SceneSettings* own =
       index == kNone ? nullptr : &scene.scenes[static_cast<std::size_t>(index)].settings;
   frame.clear_color = choose_clear_color(own, settings);
-  frame.fog = choose_fog(own, settings);
+  frame.fog = choose_fog(own, settings, frame.clear_color);
   frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg,
                              surface_options(settings), caches.geometry, caches.textures);
   choose_surroundings(frame, own, settings, caches);

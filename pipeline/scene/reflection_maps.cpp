@@ -5,10 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
 #include "pipeline/scene/cube_directions.h"
 #include "pipeline/scene/transfer.h"
+#include "raster/portable_math.h"
 
 namespace barrido::scene {
 namespace {
@@ -18,12 +20,13 @@ constexpr int kSourceSize = 16;  ///< Texels a side that a wide lobe gathers fro
 constexpr int kFirstNarrowLobe = 6;
 constexpr int kFirstSharp = 9;
 
-/// A coarse cube as separate arrays, so that the compiler can use vectors.
-struct CoarseCube {
-  std::vector<float> x, y, z;  ///< Unit directions
-  std::vector<float> weight;   ///< Solid angle, up to a factor
-  std::array<std::vector<float>, 3> color;
+/// A texel of a coarse cube: unit direction, solid angle up to a factor, colour.
+struct CoarseTexel {
+  float x, y, z;
+  float solid_angle;
+  std::array<float, 3> color;
 };
+using CoarseCube = std::vector<CoarseTexel>;
 
 /// Mean of the texels of cell (i, j) of kSourceSize² cells.
 std::array<float, 3> cell_mean(const raster::Texture& map, int level, int face, int i, int j) {
@@ -51,45 +54,32 @@ CoarseCube coarse(const raster::Texture& map) {
         const glm::vec3 d = cube_direction(face, texel_middle(i, kSourceSize), texel_middle(j, kSourceSize));
         const float squared = glm::dot(d, d);
         const float length = std::sqrt(squared);
-        cube.x.push_back(d.x / length);
-        cube.y.push_back(d.y / length);
-        cube.z.push_back(d.z / length);
-        cube.weight.push_back(1.0f / (squared * length));
-        const std::array<float, 3> color = cell_mean(map, level, face, i, j);
-        for (std::size_t c = 0; c < 3; ++c) cube.color[c].push_back(color[c]);
+        cube.push_back({d.x / length, d.y / length, d.z / length, 1.0f / (squared * length),
+                        cell_mean(map, level, face, i, j)});
       }
     }
   }
   return cube;
 }
 
-/// Sum of a[i]·b[i] in eight interleaved partial sums: an order that vectors can follow.
-float dot_product(const std::vector<float>& a, const std::vector<float>& b) {
-  std::array<float, 8> partial{};
-  for (std::size_t i = 0; i + 8 <= a.size(); i += 8) {
-    for (std::size_t lane = 0; lane < 8; ++lane) partial[lane] += a[i + lane] * b[i + lane];
-  }
-  float sum = 0.0f;
-  for (const float value : partial) sum += value;
-  return sum;
-}
+/// Cosine below which max(0, cos)^n is less than a thousandth of its greatest value.
+float lobe_edge(int log2_exponent) { return portable_exp2(-10.0f / static_cast<float>(1 << log2_exponent)); }
 
-/// Weighted mean colour around the unit direction d. `lobe` is scratch memory.
-std::array<float, 3> gathered(const CoarseCube& cube, const glm::vec3& d, int log2_exponent,
-                              std::vector<float>& lobe) {
-  const std::size_t count = cube.x.size();
-  lobe.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const float cosine = cube.x[i] * d.x + cube.y[i] * d.y + cube.z[i] * d.z;
-    lobe[i] = cosine > 0.0f ? cosine : 0.0f;
+/// Weighted mean colour around the unit direction d.
+std::array<float, 3> gathered(const CoarseCube& cube, const glm::vec3& d, int log2_exponent) {
+  const float edge = lobe_edge(log2_exponent);
+  float total = 0.0f;
+  std::array<float, 3> sum{};
+  for (const CoarseTexel& texel : cube) {
+    const float cosine = texel.x * d.x + texel.y * d.y + texel.z * d.z;
+    if (cosine <= edge) continue;
+    float lobe = cosine;
+    for (int k = 0; k < log2_exponent; ++k) lobe *= lobe;
+    lobe *= texel.solid_angle;
+    total += lobe;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += lobe * texel.color[c];
   }
-  for (int k = 0; k < log2_exponent; ++k) {
-    for (float& value : lobe) value *= value;
-  }
-  const float total = dot_product(lobe, cube.weight);
-  for (std::size_t i = 0; i < count; ++i) lobe[i] *= cube.weight[i];
-  return {dot_product(lobe, cube.color[0]) / total, dot_product(lobe, cube.color[1]) / total,
-          dot_product(lobe, cube.color[2]) / total};
+  return {sum[0] / total, sum[1] / total, sum[2] / total};
 }
 
 using Faces = std::array<std::vector<std::uint8_t>, raster::kCubeFaces>;
@@ -140,18 +130,17 @@ raster::Texture blurred_cube(const raster::Texture& map, int log2_exponent, int 
   const CoarseCube cube = coarse(map);
   const raster::Encoding encoding = map.options().encoding;
   Faces bytes;
-  std::vector<float> lobe;
-  for (int face = 0; face < raster::kCubeFaces; ++face) {
+  tbb::parallel_for(0, raster::kCubeFaces, [&](int face) {
+    std::vector<std::uint8_t>& rgba = bytes[static_cast<std::size_t>(face)];
     for (int j = 0; j < size; ++j) {
       for (int i = 0; i < size; ++i) {
         const glm::vec3 d = cube_direction(face, texel_middle(i, size), texel_middle(j, size));
         const glm::vec3 unit = d / std::sqrt(glm::dot(d, d));
-        std::vector<std::uint8_t>& rgba = bytes[static_cast<std::size_t>(face)];
-        for (const float c : gathered(cube, unit, log2_exponent, lobe)) rgba.push_back(encoded(c, encoding));
+        for (const float c : gathered(cube, unit, log2_exponent)) rgba.push_back(encoded(c, encoding));
         rgba.push_back(255);
       }
     }
-  }
+  });
   return cube_of(bytes, size, encoding);
 }
 

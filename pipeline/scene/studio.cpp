@@ -13,7 +13,7 @@
 namespace barrido::scene {
 namespace {
 
-constexpr int kStudioSize = 128;
+constexpr int kStudioSize = 64;
 
 float smooth_step(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);

@@ -241,6 +241,9 @@ TEST(RenderScene, FogOfTheUserHasTheColorThatIsSeen) {
   fog.color = {0.2f, 0.4f, 0.6f, 1.0f};
   settings.fog = fog;
   EXPECT_EQ(middle(builder.scene, settings), (Pixel{51, 102, 153, 255}));
+  settings.fog_takes_background = true;
+  settings.background_color = glm::vec4(0.4f, 0.2f, 0.0f, 1.0f);
+  EXPECT_EQ(middle(builder.scene, settings), (Pixel{102, 51, 0, 255}));
 }
 
 TEST(RenderScene, WireframeDrawsEdgesOnly) {
