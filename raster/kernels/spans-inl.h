@@ -236,7 +236,8 @@ void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile
   if (d_major == 0) return;
   const std::int64_t major_a = x_major ? p.x[0] : p.y[0];
   const std::int64_t major_b = x_major ? p.x[1] : p.y[1];
-  const std::int64_t minor_a = x_major ? p.y[0] : p.x[0];
+  // A wide line is first moved down by (width - 1)/2 (OpenGL 1.3, section 3.4.2).
+  const std::int64_t minor_a = (x_major ? p.y[0] : p.x[0]) - (width - 1) * (kSubpixelUnits / 2);
   const int major_origin = x_major ? tile.x : tile.y;
   const int minor_origin = x_major ? tile.y : tile.x;
   const int major_size = x_major ? tile.width : tile.height;
@@ -253,9 +254,8 @@ void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile
     const std::int64_t pixel = up ? begin + k : end - 1 - k;
     const std::int64_t center = pixel * kSubpixelUnits + kSubpixelUnits / 2;
     const std::int64_t numerator = minor_a * d_major + (center - major_a) * d_minor;
-    const int middle = static_cast<int>(floor_div(numerator, d_major * kSubpixelUnits));
     const int major = static_cast<int>(pixel) - major_origin;
-    const int lowest = middle - (width - 1) / 2 - minor_origin;
+    const int lowest = static_cast<int>(floor_div(numerator, d_major * kSubpixelUnits)) - minor_origin;
     for (int minor = std::max(lowest, 0); minor < std::min(lowest + width, minor_size); ++minor) {
       if (x_major) {
         visit(minor, major, major + 1);

@@ -122,9 +122,10 @@ std::vector<Span> line_spans(const PrimitiveRecord& line, float width, FrameSize
   const auto append_column = [&](int major) {
     // The line's minor coordinate at the pixel's centre is a ratio with denominator `length`, in 1/256 pixel.
     const std::int64_t center = static_cast<std::int64_t>(kSubpixelUnits) * major + kHalfPixel;
-    const std::int64_t numerator = across[0] * length + (center - along[0]) * rise;
-    const int middle = static_cast<int>(floor_divide(numerator, kSubpixelUnits * length));
-    const int lowest = middle - (n - 1) / 2;
+    // A wide line is first moved down by (n - 1)/2 (OpenGL 1.3, section 3.4.2).
+    const std::int64_t start = across[0] - (n - 1) * kHalfPixel;
+    const std::int64_t numerator = start * length + (center - along[0]) * rise;
+    const int lowest = static_cast<int>(floor_divide(numerator, kSubpixelUnits * length));
     for (int minor = lowest; minor < lowest + n; ++minor) {
       const int x = x_major ? major : minor;
       append_pieces(x_major ? minor : major, x, x + 1, frame, spans);
