@@ -16,24 +16,47 @@ void alpha_test(RandomBits& random, ScenePair& pair) {
   pair.draws.push_back(std::move(draw));
 }
 
-void blending(RandomBits& random, ScenePair& pair) {
+enum class Factors { usual, all };
+
+void choose_factors(RandomBits& random, Factors which, raster::BlendState& b) {
+  using raster::BlendFactor;
+  if (which == Factors::usual) {
+    const auto over = std::array{BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
+    const auto premultiplied = std::array{BlendFactor::one, BlendFactor::one_minus_src_alpha};
+    const auto additive = std::array{BlendFactor::one, BlendFactor::one};
+    const auto filter = std::array{BlendFactor::zero, BlendFactor::src_color};
+    const auto chosen = random.pick({over, premultiplied, additive, filter});
+    b.src_rgb = b.src_alpha = chosen[0];
+    b.dst_rgb = b.dst_alpha = chosen[1];
+    return;
+  }
+  b.src_rgb = random.one_of_first<BlendFactor>(15);
+  b.src_alpha = random.one_of_first<BlendFactor>(15);
+  b.dst_rgb = random.one_of_first<BlendFactor>(14);
+  b.dst_alpha = random.one_of_first<BlendFactor>(14);
+  b.equation = random.chance(60) ? raster::BlendEquation::add : random.one_of_first<raster::BlendEquation>(5);
+  b.constant = random.color(0, 1);
+}
+
+void blending(RandomBits& random, ScenePair& pair, Factors factors) {
+  pair.height = 64;
   pair.clear.color = random.color(0, 1);
   for (int i = random.between(1, 2); i > 0; --i) {
-    DrawCall draw = any_draw(random, pair);
+    // In the window on the grid: blending adds colours up, and with them what snapping vertices changes.
+    DrawCall draw;
     draw.mesh = soup(random, random.between(2, 5), 1.2f);
+    for (glm::vec4& p : draw.mesh.position) {
+      for (int axis = 0; axis < 3; ++axis) p[axis] = static_cast<float>(random.between(-63, 63)) / 64.0f;
+    }
     draw.state.depth.test = random.chance(30);
-    raster::BlendState& b = draw.state.blend;
-    b.enabled = true;
-    b.src_rgb = random.one_of_first<raster::BlendFactor>(15);
-    b.src_alpha = random.one_of_first<raster::BlendFactor>(15);
-    b.dst_rgb = random.one_of_first<raster::BlendFactor>(14);
-    b.dst_alpha = random.one_of_first<raster::BlendFactor>(14);
-    b.equation =
-        random.chance(60) ? raster::BlendEquation::add : random.one_of_first<raster::BlendEquation>(5);
-    b.constant = random.color(0, 1);
+    draw.state.blend.enabled = true;
+    choose_factors(random, factors, draw.state.blend);
     pair.draws.push_back(std::move(draw));
   }
 }
+
+void usual_blending(RandomBits& random, ScenePair& pair) { blending(random, pair, Factors::usual); }
+void all_blending(RandomBits& random, ScenePair& pair) { blending(random, pair, Factors::all); }
 
 void scissor_and_masks(RandomBits& random, ScenePair& pair) {
   pair.clear.color = random.color(0, 1);
@@ -140,13 +163,16 @@ void mixed(RandomBits& random, ScenePair& pair) {
 
 constexpr Feature kFeatures[] = {
     {"alpha test", alpha_test, {}},
-    {"blending", blending, {}},
+    {"blending, over, additive, filter", usual_blending, {}},
+    // llvmpipe blends 8-bit colours as integers, and rounds the source and each product.
+    {"blending, all factors and equations", all_blending, {.interior = 2}},
     {"scissor, colour mask, viewport", scissor_and_masks, {}},
     {"polygon offset", polygon_offset, {}},
     {"fog", fog, {}},
-    {"points", points, {}},
-    {"lines", lines, {}},
-    {"polygon mode line and point", polygon_modes, {}},
+    {"points", points, {.edge_ppm = 0}},
+    // Ends: OpenGL allows a fragment to be one unit off, and one more or less (1.3, section 3.4.1).
+    {"lines", lines, {.edge_ppm = 1000}},
+    {"polygon mode line and point", polygon_modes, {.edge_ppm = 300}},
     {"everything mixed", mixed, {}},
 };
 

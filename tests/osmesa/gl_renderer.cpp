@@ -21,7 +21,8 @@ void draw_call(const DrawCall& draw, const ScenePair& pair, const GlTextures& te
   glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   glDisable(GL_DITHER);
   set_transform(draw.state, pair.width, pair.height);
-  set_lighting(draw.state.lighting);
+  set_current_values();
+  set_lighting(draw.state);
   set_rasterization(draw.state);
   set_fragment_operations(draw.state);
   set_texture_units(draw.state, textures);

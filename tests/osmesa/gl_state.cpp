@@ -49,12 +49,14 @@ void set_light(GLenum name, const pipeline::Light& light) {
   glEnable(name);
 }
 
-void set_material(GLenum face, const pipeline::Material& material) {
+/// Mesa 22.3 takes a short cut where the shininess is 0 that does not give (N·H)^0 = 1 under local lights; a
+/// tiny exponent goes the usual way.
+void set_material(GLenum face, const pipeline::Material& material, bool per_vertex) {
   glMaterialfv(face, GL_AMBIENT, glm::value_ptr(material.ambient));
   glMaterialfv(face, GL_DIFFUSE, glm::value_ptr(material.diffuse));
   glMaterialfv(face, GL_SPECULAR, glm::value_ptr(material.specular));
   glMaterialfv(face, GL_EMISSION, glm::value_ptr(material.emission));
-  glMaterialf(face, GL_SHININESS, material.shininess);
+  glMaterialf(face, GL_SHININESS, per_vertex && material.shininess == 0.0f ? 1e-20f : material.shininess);
 }
 
 void set_fog(const raster::FogState& fog) {
@@ -87,7 +89,14 @@ void set_transform(const pipeline::State& state, int frame_width, int frame_heig
   enable(GL_DEPTH_CLAMP, state.depth_clamp);
 }
 
-void set_lighting(const pipeline::Lighting& lighting) {
+void set_current_values() {
+  glNormal3f(0, 0, 1);
+  glColor4f(1, 1, 1, 1);
+  for (GLenum unit = 0; unit < 2; ++unit) glMultiTexCoord4f(GL_TEXTURE0 + unit, 0, 0, 0, 1);
+}
+
+void set_lighting(const pipeline::State& state) {
+  const pipeline::Lighting& lighting = state.lighting;
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
   enable(GL_LIGHTING, lighting.enabled);
@@ -99,8 +108,9 @@ void set_lighting(const pipeline::Lighting& lighting) {
   glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_sided);
   glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                 lighting.separate_specular ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-  set_material(GL_FRONT, lighting.front);
-  set_material(GL_BACK, lighting.back);
+  const bool per_vertex = state.shade_model <= pipeline::ShadeModel::gouraud;
+  set_material(GL_FRONT, lighting.front, per_vertex);
+  set_material(GL_BACK, lighting.back, per_vertex);
   if (lighting.color_material != pipeline::ColorMaterial::none) {
     glColorMaterial(GL_FRONT_AND_BACK, constant(kColorMaterial, lighting.color_material));
     glEnable(GL_COLOR_MATERIAL);
@@ -145,20 +155,17 @@ void set_fragment_operations(const pipeline::State& state) {
 
 void draw_mesh(const Mesh& mesh) {
   constexpr int kStride = sizeof(glm::vec4);
-  glNormal3f(0, 0, 1);
-  glColor4f(1, 1, 1, 1);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(mesh.position_components, GL_FLOAT, kStride, mesh.position.data());
   if (!mesh.normal.empty()) {
     glEnableClientState(GL_NORMAL_ARRAY);
     glNormalPointer(GL_FLOAT, sizeof(glm::vec3), mesh.normal.data());
   }
-  if (!mesh.color.empty()) {
-    glEnableClientState(GL_COLOR_ARRAY);
-    glColorPointer(4, GL_FLOAT, kStride, mesh.color.data());
-  }
+  // White everywhere instead of none: Mesa 22.3's colour material does not see the current colour.
+  const std::vector<glm::vec4> white(mesh.color.empty() ? mesh.position.size() : 0, glm::vec4(1.0f));
+  glEnableClientState(GL_COLOR_ARRAY);
+  glColorPointer(4, GL_FLOAT, kStride, mesh.color.empty() ? white.data() : mesh.color.data());
   for (std::size_t unit = 0; unit < mesh.texcoord.size(); ++unit) {
-    glMultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 0, 0, 0, 1);
     if (mesh.texcoord[unit].empty()) continue;
     glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);

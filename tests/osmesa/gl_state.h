@@ -25,7 +25,9 @@ class GlTextures {
 };
 
 void set_transform(const pipeline::State& state, int frame_width, int frame_height);
-void set_lighting(const pipeline::Lighting& lighting);
+/// Normal, colour and texture coordinates of meshes that have no array of them.
+void set_current_values();
+void set_lighting(const pipeline::State& state);
 void set_rasterization(const pipeline::State& state);
 void set_fragment_operations(const pipeline::State& state);
 void set_texture_units(const pipeline::State& state, const GlTextures& textures);
