@@ -8,8 +8,8 @@ int main() {
   barrido::pipeline::Renderer renderer(frame);
   renderer.clear({.color = {0.2f, 0.2f, 0.2f, 1.0f}});
 
-  const float positions[] = {-0.75f, -0.75f, 0.75f,
-                             -0.75f, 0.0f,   0.75f};  // x, y; both matrices are the identity
+  // x and y of the corners; with identity matrices the frame is -1..1 both ways
+  const float positions[] = {-0.75f, -0.75f, 0.75f, -0.75f, 0.0f, 0.75f};
   const float colors[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   barrido::pipeline::Geometry triangle;
   triangle.vertex_count = 3;
