@@ -148,7 +148,8 @@ TEST(Pose, ParentsMayComeAfterTheirChildren) {
   EXPECT_NEAR(origin.z, 10.0f, 1e-6f);
 }
 
-/// The triangle hung on two joints: nodes 1 (moved by x + 10) and 2 (turned by 90 degrees about z).
+/// The triangle hung on two joints: nodes 1 (moved by x + 10) and 2 (stretched by 2 along x and by 3
+/// along z, then turned by 90 degrees about z).
 Model skinned() {
   Model model = triangle();
   const auto add = [&](const char* name, const auto& numbers, int component_type, const char* type) {
@@ -157,14 +158,14 @@ Model skinned() {
   };
   add("JOINTS_0", std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, kU8, "VEC4");
   add("WEIGHTS_0", std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, kF32, "VEC4");
-  add("NORMAL", std::vector<float>{1, 0, 0, 1, 0, 0, 0, 0, 1}, kF32, "VEC3");
+  add("NORMAL", std::vector<float>{1, 0, 0, kHalf, 0, kHalf, 0, 0, 1}, kF32, "VEC3");
   const std::vector<float> bind = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,  //
                                    1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1};
   const int matrices = model.add_accessor(model.add_view(bind), kF32, "MAT4", 2);
   model.document["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", matrices}}};
   model.document["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {99, 99, 99}}},
                              {{"translation", {10, 0, 0}}},
-                             {{"rotation", {0, 0, kHalf, kHalf}}, {"scale", {1, 1, 3}}}};
+                             {{"rotation", {0, 0, kHalf, kHalf}}, {"scale", {2, 1, 3}}}};
   return model;
 }
 
@@ -179,10 +180,19 @@ TEST(Skin, CarriesVerticesIntoTheWorldWhateverTheNodesTransform) {
   EXPECT_TRUE(is_deformed(scene, 0, primitive));
   const DeformedVertices vertices = deform(scene, pose_at(scene, kNone, 0), 0, primitive);
   EXPECT_TRUE(vertices.in_world_space);
-  // (0,0,0) + 10; (1,0,0) + 1 turned; the mean of (10,1,0) and (-1,1,0) turned from (1,1,0).
-  expect_near(vertices.positions, {10, 0, 0, 0, 2, 0, 4.5f, 1, 0});
-  // Scaling along z by 3 leaves a normal along x turned, and one along z as it is.
-  expect_near(vertices.normals, {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  // (0,0,0) + 10; (2,0,0) stretched and turned; the mean of (10,1,0) and of (2,1,0), stretched, turned.
+  expect_near(vertices.positions, {10, 0, 0, 0, 4, 0, 4.5f, 1.5f, 0});
+  // Normals shrink where surfaces stretch: (1, 0, 1) becomes (1/2, 0, 1/3), then turns.
+  const float length = std::sqrt(13.0f);
+  expect_near(vertices.normals, {1, 0, 0, 0, 3 / length, 2 / length, 0, 0, 1});
+}
+
+TEST(Skin, MirroredJointTurnsNormalsWithTheSurface) {
+  Model model = skinned();
+  model.document["nodes"][1]["scale"] = {-1, 1, 1};
+  const Scene scene = model.import();
+  const DeformedVertices vertices = deform(scene, pose_at(scene, kNone, 0), 0, scene.meshes[0].primitives[0]);
+  expect_near({vertices.normals.begin(), vertices.normals.begin() + 3}, {-1, 0, 0});
 }
 
 TEST(Skin, SameMeshWithoutASkinIsNotDeformed) {
