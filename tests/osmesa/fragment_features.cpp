@@ -121,9 +121,12 @@ void lines(RandomBits& random, ScenePair& pair) {
   pair.draws.push_back(std::move(draw));
 }
 
+/// Within the frame: of a polygon that is clipped, Mesa also draws the corners that clipping made.
 void polygon_modes(RandomBits& random, ScenePair& pair) {
   DrawCall draw = any_draw(random, pair);
   draw.mesh = in_mode(random, static_cast<PrimitiveMode>(random.between(4, 9)));
+  draw.state.eye_from_object = translation(0, 0, -6) * random_rotation(random);
+  for (glm::vec4& p : draw.mesh.position) p = glm::vec4(0.7f * glm::vec3(p), 1.0f);
   draw.state.polygon_mode = random.chance(60) ? pipeline::PolygonMode::line : pipeline::PolygonMode::point;
   draw.state.cull_face = random.one_of_first<pipeline::CullFace>(3);
   draw.state.point_size = random.pick({1.0f, 3.0f, 4.0f});
@@ -149,7 +152,8 @@ void mixed(RandomBits& random, ScenePair& pair) {
     unit.min_filter = raster::MinFilter::linear;
     unit.env_mode = random.one_of_first<raster::TextureEnvMode>(5);
     unit.env_color = random.color(0, 1);
-    draw.state.fog.enabled = random.chance(50);
+    // Mesa does not clamp the sum with the secondary colour before fog (OpenGL 1.3, section 3.9, does).
+    draw.state.fog.enabled = random.chance(50) && !lighting.separate_specular;
     draw.state.fog.density = 0.2f;
     draw.state.fog.color = random.color(0, 1);
     draw.state.blend = {random.chance(40), raster::BlendFactor::src_alpha,

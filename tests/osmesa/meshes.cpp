@@ -119,6 +119,14 @@ Mesh in_mode(RandomBits& random, PrimitiveMode mode) {
       add_vertex(random, mesh, p, n, glm::vec2(p));
     }
   }
+  if (mode ==
+      PrimitiveMode::quads) {  // OpenGL does not say along which diagonal they are cut: colours of a plane
+    const glm::vec4 across = random_color(random, -0.3f, 0.3f);
+    const glm::vec4 up = random_color(random, -0.2f, 0.2f);
+    for (std::size_t i = 0; i < mesh.position.size(); ++i) {
+      mesh.color[i] = glm::vec4(0.5f) + mesh.position[i].x * across + mesh.position[i].y * up;
+    }
+  }
   if (random.chance(50)) {  // the same through indices
     for (std::size_t i = 0; i < mesh.position.size(); ++i)
       mesh.indices.push_back(static_cast<std::uint32_t>(i));
