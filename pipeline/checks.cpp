@@ -46,6 +46,7 @@ void check(const State& state) {
 void check(const Geometry& geometry) {
   constexpr std::uint32_t kMaxVertices = 1u << 30;  // two records a vertex must be numbered in 32 bits
   require(geometry.vertex_count <= kMaxVertices, "at most 2^30 vertices can be drawn at once");
+  require(geometry.indices.size() <= (std::size_t{1} << 31), "at most 2^31 indices can be drawn at once");
   require(geometry.position.data != nullptr || geometry.vertex_count == 0, "position: the array is missing");
   check(geometry.position, "position", 2, 4);
   check(geometry.normal, "normal", 3, 3);

@@ -22,7 +22,7 @@ using F = hn::ScalableTag<float>;
 using V = hn::Vec<F>;
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(F()));
 
-/// As many vectors of a target as there are lanes in it; three of them are a column of lanes of 3-vectors.
+/// A 3-vector in every lane.
 struct Vec3 {
   V x, y, z;
 };

@@ -1,3 +1,4 @@
+// Culling, clipping, flat colours and chunks, seen in what assembly hands to the rasterizer.
 #include "pipeline/assembly.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Clipping in homogeneous coordinates; above all that both sides of a shared edge get the same points.
 #include "pipeline/clip.h"
 
 #include <gtest/gtest.h>

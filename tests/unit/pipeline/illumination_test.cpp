@@ -1,3 +1,5 @@
+// The illumination model on vectors compared with the plain equation in double precision, for random lights
+// and materials of every kind, on every path: full model, cheap Phong, tracked colours, both sides.
 #include "pipeline/illumination.h"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// Which varyings are recorded for which state, and where.
 #include "pipeline/layout.h"
 
 #include <cstdint>

@@ -1,3 +1,4 @@
+// Projections and views against what they must do to points; normal matrices against perpendicularity.
 #include "pipeline/matrix.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The tables of OpenGL's primitive modes, written out by hand.
 #include "pipeline/primitive_mode.h"
 
 #include <vector>

@@ -1,3 +1,4 @@
+// Whole draws: pixels, counts, refusals, and independence from the number of threads.
 #include "pipeline/renderer.h"
 
 #include <limits>

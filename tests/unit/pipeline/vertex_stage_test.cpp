@@ -1,3 +1,4 @@
+// The vertex stage compared with the formulas of the specification in double precision.
 #include "pipeline/vertex_stage.h"
 
 #include <cmath>
