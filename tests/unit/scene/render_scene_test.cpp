@@ -212,9 +212,9 @@ TEST(RenderScene, VertexColorsMultiplyTheBaseColor) {
   builder.scene.materials[0].metallic = 0.0f;
   settings.no_lights = true;
   settings.ambient = glm::vec3(1.0f);
-  const Pixel lit = middle(builder.scene, settings);  // k_a = k_d ≈ 0.96 of it
-  EXPECT_NEAR(lit[0], 0.96 * 128, 4);
-  EXPECT_NEAR(lit[2], 0.96 * 153, 4);
+  const Pixel lit = middle(builder.scene, settings);  // k_a = k_d = 0.96 b + 0.04, times the vertex colour
+  EXPECT_NEAR(lit[0], 255 * 0.52, 1);
+  EXPECT_NEAR(lit[2], 255 * 0.6, 1);
   EXPECT_EQ(lit[3], 255);
 }
 
