@@ -13,12 +13,12 @@ constexpr float kLeastMetallic = 0.05f;
 
 float fraction(float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; }
 
-float shininess_of(float roughness, float max_shininess) {
-  const float alpha = roughness * roughness;
-  const float alpha_squared = alpha * alpha;
-  // Solved for α² first: a smooth surface would divide by zero.
-  const float least = 2.0f / (max_shininess + 2.0f);
-  return 2.0f / std::max(alpha_squared, least) - 2.0f;
+/// The lobe of a mirror is as narrow as a highlight of this exponent.
+constexpr float kSmoothest = 2048.0f;
+
+float shininess_of(float alpha_squared, float max_shininess) {
+  // Limited as α², since a smooth surface would divide by zero.
+  return 2.0f / std::max(alpha_squared, 2.0f / (max_shininess + 2.0f)) - 2.0f;
 }
 
 void apply_exact(const ExactMaterial& exact, SurfaceCoefficients& surface) {
@@ -48,8 +48,9 @@ SurfaceCoefficients convert_material(const Material& material, const SurfaceCont
   const glm::vec3 dielectric(kDielectricReflectance);
 
   SurfaceCoefficients surface;
-  surface.shininess = shininess_of(roughness, limits.max_shininess);
-  const float wide = 2.0f / (surface.shininess + 2.0f);
+  const float wide = roughness * roughness * roughness * roughness;  // α²
+  surface.shininess = shininess_of(wide, limits.max_shininess);
+  surface.reflection_exponent = phong_shininess(shininess_of(wide, kSmoothest));
   const glm::vec3 f0 = glm::mix(dielectric, base * context.base_color, metallic);
   surface.specular = f0 * ((1.0f - wide) * (surface.shininess + 2.0f) / 8.0f);
   // The base colour texture will multiply this, so its mean must not.

@@ -31,6 +31,8 @@ struct SurfaceCoefficients {
   glm::vec3 specular{0, 0, 0};    ///< k_s
   glm::vec3 emission{0, 0, 0};
   float shininess = 0.0f;  ///< n of Blinn's (N·H)^n; a quarter of it for Phong's (R·V)^n, see below
+  /// Exponent of the lobe that gathers the environment, max(0, R·x)^n; not limited as shininess is.
+  float reflection_exponent = 0.0f;
   glm::vec3 reflectance{0, 0, 0};
   /// The environment is reflected below the base colour texture, which then colours the reflection (metals).
   bool reflection_before_texture = false;

@@ -126,11 +126,11 @@ class PassRenderer {
     if (pass_.node_maps != nullptr) {
       const auto own = pass_.node_maps->find(draw.node);
       if (own != pass_.node_maps->end()) {
-        return {&node_reflections_.get(own->second, draw.surface.phong_exponent),
+        return {&node_reflections_.get(own->second, draw.surface.reflection_exponent),
                 world_from_eye_rotation(pass_.view)};
       }
     }
-    return {&reflections_.get(*frame_.surroundings, draw.surface.phong_exponent), surroundings_from_eye_};
+    return {&reflections_.get(*frame_.surroundings, draw.surface.reflection_exponent), surroundings_from_eye_};
   }
 
   const RenderSettings& settings_;

@@ -123,9 +123,10 @@ void set_material(Surface& surface, const SurfaceCoefficients& coefficients, con
   surface.material.diffuse = coefficients.diffuse;
   surface.material.specular = glm::vec4(coefficients.specular, 1.0f);
   const bool is_phong = options.specular_model == pipeline::SpecularModel::phong;
-  surface.phong_exponent = phong_shininess(coefficients.shininess);
+  surface.reflection_exponent = coefficients.reflection_exponent;
   // An exact exponent belongs to the model the user chose.
-  surface.material.shininess = is_phong && !exact.shininess ? surface.phong_exponent : coefficients.shininess;
+  surface.material.shininess =
+      is_phong && !exact.shininess ? phong_shininess(coefficients.shininess) : coefficients.shininess;
 }
 
 /// The light that the surface gives off is added last, where no texture can multiply it.

@@ -36,8 +36,8 @@ struct Surface {
   std::array<int, raster::kMaxTextureUnits> texcoord_set{kNone, kNone, kNone,
                                                          kNone};  ///< TEXCOORD_n of a unit
   int unit_count = 0;
-  int reflection_unit = kNone;  ///< The unit that is to have the environment's cube map
-  float phong_exponent = 0.0f;  ///< How wide a lobe the surface reflects
+  int reflection_unit = kNone;       ///< The unit that is to have the environment's cube map
+  float reflection_exponent = 0.0f;  ///< Of the lobe in which the surface gathers its environment
 };
 
 /// `has_normals` and `has_colors` tell what the primitive brings along: without normals it is unlit.
