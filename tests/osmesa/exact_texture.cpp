@@ -97,7 +97,9 @@ ExactUnit::Place ExactUnit::cube_place(const glm::dvec4& at, const glm::dvec4& d
   };
   p.lod =
       lod_of(slope(s_of(dx), dx, s), slope(t_of(dx), dx, t), slope(s_of(dy), dy, s), slope(t_of(dy), dy, t));
-  p.face_tie = std::max(std::abs(s), std::abs(t)) > 1.0 - 1e-4;
+  // s and t are two units for a whole face.
+  const double moved = 2.0 * kSnapping * std::exp2(p.lod - unit_.lod_bias) / texture_.width();
+  p.face_tie = std::max(std::abs(s), std::abs(t)) > 1.0 - 1e-4 - moved;
   return p;
 }
 

@@ -195,7 +195,7 @@ void combine(RandomBits& random, ScenePair& pair) {
 constexpr Feature kFeatures[] = {
     {"nearest, all wraps, any size", nearest_wraps, {.interior_ppm = 0}},
     {"bilinear, all wraps, any size", bilinear_wraps, {}},
-    {"nearest level, lod bias", nearest_level, {}},
+    {"nearest level, lod bias", nearest_level, {.tie_ppm = 5000}},
     {"between levels, lod bias", trilinear, {}},
     {"cube map, nearest", cube_nearest, {.interior_ppm = 0}},
     {"cube map, bilinear", cube_linear, {}},
