@@ -130,7 +130,8 @@ class PassRenderer {
                 world_from_eye_rotation(pass_.view)};
       }
     }
-    return {&reflections_.get(*frame_.surroundings, draw.surface.reflection_exponent), surroundings_from_eye_};
+    return {&reflections_.get(*frame_.surroundings, draw.surface.reflection_exponent),
+            surroundings_from_eye_};
   }
 
   const RenderSettings& settings_;

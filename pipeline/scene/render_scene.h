@@ -68,7 +68,7 @@ struct RenderSettings {
   Background background = Background::color;
   std::optional<glm::vec4> background_color;
   std::optional<raster::FogState> fog;
-  bool fog_takes_background = false;  ///< The colour of `fog` is the background's, whoever gave that.
+  bool fog_takes_background = false;       ///< The colour of `fog` is the background's, whoever gave that.
   std::optional<pipeline::CullFace> cull;  ///< Empty: as the materials say.
   bool wireframe = false;
   std::optional<float> crease_angle_deg;  ///< Set: normals are averaged where a model has none.
