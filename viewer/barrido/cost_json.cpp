@@ -88,6 +88,8 @@ std::string cost_json(const CostReport& report) {
   }
   json["environment_ms"] = report.environment_ms;
   json["total_ms"] = report.total_ms;
+  json["threads"] = report.threads;
+  json["simd"] = report.simd;
   json["modes"] = modes_json(report);
   json["frames"] = Json::array();
   for (const FrameCost& frame : report.frames) json["frames"].push_back(frame_json(frame));

@@ -106,7 +106,8 @@ std::string cost_text(const CostReport& report) {
     text += "loaded " + model.path + " in " + fixed(model.load_ms, 2) + " ms\n";
   }
   if (report.environment_ms > 0.0) text += "environment in " + fixed(report.environment_ms, 2) + " ms\n";
-  return text + "all in " + fixed(report.total_ms, 2) + " ms\n";
+  return text + "all in " + fixed(report.total_ms, 2) + " ms, " +
+         counted(static_cast<std::uint64_t>(report.threads), "thread", "threads") + ", " + report.simd + "\n";
 }
 
 }  // namespace barrido::cli

@@ -31,6 +31,8 @@ struct CostReport {
   double environment_ms = 0.0;
   std::vector<FrameCost> frames;
   double total_ms = 0.0;  ///< Of the whole command, by the clock.
+  int threads = 0;
+  std::string simd;  ///< "avx2"
 };
 
 /// A table for each shading mode, summed over its frames, and the times of the stages.

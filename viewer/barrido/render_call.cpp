@@ -12,6 +12,7 @@
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/scene_nodes.h"
+#include "raster/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/frame_output.h"
 #include "viewer/barrido/stopwatch.h"
@@ -216,6 +217,8 @@ void RenderCall::write_sheet() {
 
 void RenderCall::print_costs(double total_ms) {
   report_.total_ms = total_ms;
+  report_.threads = thread_count();
+  report_.simd = raster::name_of(raster::simd_target());
   const bool json = options_.stats == StatsFormat::json;
   console_.print(text_descriptor(), json ? cost_json(report_) : cost_text(report_));
 }

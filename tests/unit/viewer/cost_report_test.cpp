@@ -34,6 +34,8 @@ CostReport report() {
   report.frames = {frame_of(pipeline::ShadeModel::phong, 1), frame_of(pipeline::ShadeModel::flat, 1),
                    frame_of(pipeline::ShadeModel::phong, 3)};
   report.total_ms = 20.0;
+  report.threads = 2;
+  report.simd = "avx2";
   return report;
 }
 
@@ -59,12 +61,14 @@ TEST(CostReport, TextHasATableForEachMode) {
             "  16 vertices, 24 polygons of which 20 drawn, 100 scanlines a frame\n"
             "\n"
             "loaded a.glb in 3.25 ms\n"
-            "all in 20.00 ms\n");
+            "all in 20.00 ms, 2 threads, avx2\n");
 }
 
 TEST(CostReport, JsonHasFramesAndModes) {
   const auto json = nlohmann::json::parse(cost_json(report()));
   EXPECT_EQ(json["models"][0]["file"], "a.glb");
+  EXPECT_EQ(json["simd"], "avx2");
+  EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["modes"]["phong"]["frames"], 2);
   EXPECT_EQ(json["modes"]["phong"]["illuminations"], 4000);
   EXPECT_EQ(json["modes"]["phong"]["per_frame"]["powers"], 80.0);

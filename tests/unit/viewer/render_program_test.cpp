@@ -230,6 +230,17 @@ TEST_F(Render, StatsAreTextOrJson) {
   EXPECT_EQ(json["frames"][0]["stages"]["primitives_in"], 2 * 12 * 12);
 }
 
+TEST_F(Render, ThreadsAndInstructionsAreTheOnesAskedFor) {
+  for (const raster::SimdTarget target : raster::available_simd_targets()) {
+    const std::string name(raster::name_of(target));
+    const Outcome outcome =
+        render({"square.gltf", "--stats=json", "--resolution", "8,8", "--simd", name, "--threads", "3"});
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["simd"], name);
+    EXPECT_EQ(json["threads"], 3);
+  }
+}
+
 TEST_F(Render, AnEnvironmentIsReflectedAndSeen) {
   const int width = 64, height = 32;
   std::vector<std::uint8_t> sky(width * height * 4, 255);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -110,10 +111,12 @@ TEST_F(RenderStreams, HashesIntoAClosedPipeAreErrors) {
 }
 
 /// Starts the program with standard error on a pseudo terminal and reads from there until `text` is seen.
-/// @return what was shown; empty where there are no pseudo terminals.
-std::string shown_until(const std::string& text, const Words& words, const std::filesystem::path& folder) {
+/// @return what was shown, also when it takes longer than half a minute; nothing where there are no pseudo
+/// terminals.
+std::optional<std::string> shown_until(const std::string& text, const Words& words,
+                                       const std::filesystem::path& folder) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return "";
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return std::nullopt;
   const int slave = open(ptsname(terminal), O_RDWR | O_NOCTTY);
   const int saved_error = dup(STDERR_FILENO);
   dup2(slave, STDERR_FILENO);
@@ -123,8 +126,10 @@ std::string shown_until(const std::string& text, const Words& words, const std::
   close(slave);
   std::string shown;
   std::array<char, 1024> buffer{};
-  for (ssize_t count = 0;
-       shown.find(text) == std::string::npos && (count = read(terminal, buffer.data(), buffer.size())) > 0;) {
+  pollfd readable{terminal, POLLIN, 0};
+  while (shown.find(text) == std::string::npos && poll(&readable, 1, 30'000) == 1) {
+    const ssize_t count = read(terminal, buffer.data(), buffer.size());
+    if (count <= 0) break;
     shown.append(buffer.data(), static_cast<std::size_t>(count));
   }
   kill(running.process, SIGKILL);
@@ -136,11 +141,11 @@ std::string shown_until(const std::string& text, const Words& words, const std::
 
 TEST_F(RenderStreams, ProgressIsSeenOnATerminal) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::string shown = shown_until(
+  const auto shown = shown_until(
       "of 100000)", {"render", "bumps.glb", "--hash", "--turntable", "100000", "--resolution", "256,256"},
       folder_.path());
-  if (shown.empty()) GTEST_SKIP() << "no pseudo terminals here";
-  EXPECT_EQ(shown.find("\r\x1b[Kdrawing bumps/phong/frame"), 0u) << shown;
+  if (!shown) GTEST_SKIP() << "no pseudo terminals here";
+  EXPECT_EQ(shown->find("\r\x1b[Kdrawing bumps/phong/frame"), 0u) << *shown;
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(990));
 }
 
