@@ -15,6 +15,7 @@ struct Pose {
 };
 
 /// The scene at `time_s` of animation `animation` (kNone: as it stands). Times beyond the keys are clamped.
+/// @throws std::out_of_range when there is no such animation.
 Pose pose_at(const Scene& scene, int animation, double time_s);
 
 struct DeformedVertices {
