@@ -69,6 +69,17 @@ TEST_F(Render, FormatsComeFromTheExtension) {
   }
 }
 
+TEST_F(Render, FloatFormatsHoldValuesOverTheMaximum) {
+  for (const char* name : {"a.exr", "a.HDR"}) {
+    const Outcome outcome =
+        render({"square.gltf", "-o", name, "--ambient", "9,9,9", "--resolution", "32,32"});
+    if (outcome.error.find("needs the module") != std::string::npos) GTEST_SKIP() << outcome.error;
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    const scene::FloatImage image = scene::read_float_image(folder_.path() / name);
+    EXPECT_GT(image.rgba[(16 * 32 + 16) * 4], 2.0f) << name;
+  }
+}
+
 TEST_F(Render, TemplatesNameEachFrame) {
   const Outcome outcome = render({"square.gltf", "bumps.glb", "-o", "out/{model}/{shading}-{frame:02}.png",
                                   "--shading", "flat,phong", "--turntable", "2", "--resolution", "16,16"});
