@@ -60,6 +60,7 @@ Assembled assemble(const AssemblyInput& input, std::uint32_t first, std::uint32_
     assemble_outlines(input, first, count, writer, result.counts);
   }
   result.chunks = writer.take();
+  result.sources = writer.take_sources();
   return result;
 }
 

@@ -19,6 +19,8 @@ inline constexpr std::uint32_t kAssemblyUnits = 2048;
 
 struct Assembled {
   std::vector<raster::PrimitiveChunk> chunks;  ///< In the order of the units.
+  /// For each chunk, where AssemblyInput::with_sources: see AssembledChunk.
+  std::vector<std::vector<std::uint32_t>> sources;
   AssemblyCounts counts;
 };
 

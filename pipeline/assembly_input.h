@@ -14,6 +14,7 @@ struct AssemblyInput {
   const DrawPlan& plan;
   const Geometry& geometry;
   const TransformedVertices& vertices;
+  bool with_sources = false;  ///< Whether to remember what each primitive is made of.
 
   std::uint32_t element_count() const {
     return geometry.indices.empty() ? geometry.vertex_count

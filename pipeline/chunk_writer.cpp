@@ -33,11 +33,14 @@ void ChunkWriter::begin_chunk() {
   chunk_->shared_count = input_.vertices.capacity * static_cast<std::uint32_t>(plan.sides());
   chunk_->primitives.reserve(expected_);
   flat_.begin_chunk(*chunk_);
+  if (input_.with_sources) sources_.emplace_back();
 }
 
 void ChunkWriter::finish_chunk() {
   flat_.end_chunk();
-  if (chunk_->primitives.empty()) chunks_.pop_back();
+  if (!chunk_->primitives.empty()) return;
+  chunks_.pop_back();
+  if (input_.with_sources) sources_.pop_back();
 }
 
 std::vector<raster::PrimitiveChunk> ChunkWriter::take() {

@@ -46,16 +46,23 @@ class ChunkWriter {
   /// The word of that name for a primitive of the mode.
   std::uint32_t flat_and_facing(std::uint32_t primitive, bool back) {
     const bool marked = back && input_.plan.marks_back_faces;
+    source_ = primitive;
     return flat_.index_of(primitive, back) | (marked ? raster::kBackFacing : 0u);
   }
 
-  void add(const raster::PrimitiveRecord& primitive) { chunk_->primitives.push_back(primitive); }
+  /// Adds what the primitive of the last flat_and_facing() is made of.
+  void add(const raster::PrimitiveRecord& primitive) {
+    chunk_->primitives.push_back(primitive);
+    if (input_.with_sources) sources_.back().push_back(source_);
+  }
 
   /// Appends a vertex of the chunk's own, a mixture of corners. @return its number.
   std::uint32_t add_vertex(const ClipVertex& vertex, const ClipCorners& corners);
 
   /// All chunks; afterwards the writer is used up.
   std::vector<raster::PrimitiveChunk> take();
+  /// After take(): for each chunk the primitives' sources; empty unless asked for.
+  std::vector<std::vector<std::uint32_t>> take_sources() { return std::move(sources_); }
 
  private:
   void begin_chunk();
@@ -66,6 +73,8 @@ class ChunkWriter {
   FlatColorTable flat_;
   std::vector<raster::PrimitiveChunk> chunks_;
   raster::PrimitiveChunk* chunk_ = nullptr;
+  std::uint32_t source_ = 0;
+  std::vector<std::vector<std::uint32_t>> sources_;
 };
 
 }  // namespace barrido::pipeline

@@ -12,6 +12,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "pipeline/assembled_frame.h"
 #include "pipeline/assembly.h"
 #include "pipeline/frame.h"
 #include "pipeline/index_range.h"
@@ -44,6 +45,7 @@ IndexRange vertices_used(const Geometry& geometry) {
 /// A run of primitives on its way to the rasterizer.
 struct Run {
   std::vector<std::unique_ptr<raster::BinnedChunk>> chunks;
+  std::vector<std::vector<std::uint32_t>> sources;
   AssemblyCounts counts;
 };
 
@@ -52,6 +54,7 @@ Run assemble_and_bin(const raster::Rasterizer& rasterizer, const AssemblyInput& 
   Assembled assembled = assemble(input, first, count);
   Run run;
   run.counts = assembled.counts;
+  run.sources = std::move(assembled.sources);
   for (raster::PrimitiveChunk& chunk : assembled.chunks)
     run.chunks.push_back(rasterizer.bin(std::move(chunk)));
   return run;
@@ -81,10 +84,20 @@ void count_primitives(const AssemblyCounts& counts, Frame& frame) {
   frame.powers_before_fragments += counts.powers;
 }
 
+/// Before the run is submitted.
+void remember(const Run& run, AssembledDraw& draw) {
+  for (std::size_t i = 0; i < run.chunks.size(); ++i) {
+    draw.chunks.push_back({&run.chunks[i]->chunk(), run.sources[i]});
+  }
+}
+
 }  // namespace
 
 void draw(Frame& frame, const State& state, const Geometry& geometry) {
   const DrawPlan& plan = frame.plans.emplace_back(state, geometry, frame.size, frame.fragment_counters);
+  AssembledDraw* record = nullptr;
+  if (frame.record != nullptr) record = &frame.record->draws.emplace_back();
+  if (record != nullptr) *record = {&plan, state, geometry, {}, {}};
   if (geometry.vertex_count == 0 && geometry.indices.empty()) return;
   const IndexRange used = vertices_used(geometry);
   ++frame.statistics.draws;
@@ -96,15 +109,17 @@ void draw(Frame& frame, const State& state, const Geometry& geometry) {
     run_vertex_stage(plan, geometry, begin, static_cast<int>(count), vertices);
   });
   count_vertices(plan, vertices.count, frame);
+  if (record != nullptr) record->vertices = vertices;
 
   // Primitives.
-  const AssemblyInput input{plan, geometry, vertices};
+  const AssemblyInput input{plan, geometry, vertices, record != nullptr};
   const std::uint32_t units = unit_count(input);
   std::vector<Run> runs(units / kAssemblyUnits + 1);
   for_each_piece(units, kAssemblyUnits, [&](std::uint32_t first, std::uint32_t count) {
     runs[first / kAssemblyUnits] = assemble_and_bin(frame.rasterizer, input, first, count);
   });
   for (Run& run : runs) {
+    if (record != nullptr) remember(run, *record);
     for (auto& chunk : run.chunks) frame.rasterizer.submit(std::move(chunk));
     count_primitives(run.counts, frame);
   }

@@ -9,6 +9,8 @@
 
 namespace barrido::pipeline {
 
+struct AssembledFrame;
+
 struct Frame {
   Frame(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options)
       : size{framebuffer.width(), framebuffer.height()}, rasterizer(framebuffer, options) {}
@@ -20,6 +22,7 @@ struct Frame {
   FragmentCounters fragment_counters;
   std::uint64_t powers_before_fragments = 0;
   Statistics statistics;
+  AssembledFrame* record = nullptr;  ///< Where draws are remembered, or null.
 };
 
 /// One draw, from object space to the rasterizer's queue. See Renderer::draw.

@@ -1,5 +1,6 @@
 #include "pipeline/renderer.h"
 
+#include "pipeline/assembled_frame.h"
 #include "pipeline/frame.h"
 #include "raster/binning.h"
 
@@ -8,23 +9,29 @@ namespace barrido::pipeline {
 struct Renderer::Implementation {
   Frame frame;
 
-  Implementation(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options)
-      : frame(framebuffer, options) {}
+  Implementation(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options,
+                 AssembledFrame* record)
+      : frame(framebuffer, options) {
+    frame.record = record;
+  }
 
   /// The rasterizer holds nothing any more that points to the draws.
   void release_draws() {
     frame.plans.clear();
     frame.memory.reset();
+    if (frame.record != nullptr) frame.record->draws.clear();
   }
 };
 
-Renderer::Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options)
-    : implementation_(std::make_unique<Implementation>(framebuffer, options)) {}
+Renderer::Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options,
+                   AssembledFrame* record)
+    : implementation_(std::make_unique<Implementation>(framebuffer, options, record)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::clear(const raster::ClearValues& values) {
   implementation_->frame.rasterizer.clear(values);
   implementation_->release_draws();
+  if (implementation_->frame.record != nullptr) implementation_->frame.record->clear = values;
 }
 
 void Renderer::draw(const State& state, const Geometry& geometry) {

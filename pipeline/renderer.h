@@ -30,10 +30,14 @@ struct Statistics {
   raster::RasterStatistics raster;
 };
 
+struct AssembledFrame;
+
 class Renderer {
  public:
-  /// The framebuffer must outlive the renderer.
-  explicit Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options = {});
+  /// The framebuffer must outlive the renderer, and so must `record`, in which draws are remembered as they
+  /// go to the rasterizer; null: none are. See pipeline/assembled_frame.h.
+  explicit Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options = {},
+                    AssembledFrame* record = nullptr);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;

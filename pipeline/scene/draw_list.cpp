@@ -37,6 +37,9 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
       if (primitive.vertex_count == 0) continue;
       Draw draw;
       draw.node = node;
+      draw.mesh = mesh;
+      draw.primitive = static_cast<int>(i);
+      draw.material = primitive.material;
       draw.world_from_object = pose.world_from_node[static_cast<std::size_t>(node)];
       PreparedGeometry* prepared = nullptr;
       if (is_deformed(scene, node, primitive)) {

@@ -14,6 +14,9 @@ namespace barrido::scene {
 
 struct Draw {
   int node = kNone;
+  int mesh = kNone;
+  int primitive = 0;     ///< Of the mesh
+  int material = kNone;  ///< kNone: glTF's default material
   glm::mat4 world_from_object{1.0f};
   bool mirrored = false;  ///< The matrix turns left into right, and so front into back.
   Surface surface;

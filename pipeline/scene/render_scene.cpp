@@ -11,6 +11,7 @@
 
 #include "pipeline/scene/environment_pass.h"
 #include "pipeline/scene/frame.h"
+#include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/sorting.h"
 #include "raster/portable_math.h"
 
@@ -30,6 +31,7 @@ struct Pass {
   int without_node = kNone;  ///< Whose surroundings are being rendered
   /// Cube maps of single nodes, in world space; the others reflect the frame's surroundings.
   const std::map<int, raster::Texture>* node_maps = nullptr;
+  FrameObserver* observer = nullptr;
 };
 
 glm::mat4 world_from_eye_rotation(const View& view) {
@@ -70,7 +72,8 @@ class PassRenderer {
         pass_(pass),
         reflections_(reflections),
         node_reflections_(node_reflections),
-        renderer_(framebuffer, {settings.visibility_first}),
+        framebuffer_(framebuffer),
+        renderer_(framebuffer, {settings.visibility_first}, pass.observer != nullptr ? &assembled_ : nullptr),
         base_(base_state(settings, pass.view, frame.lights, frame.fog)),
         surroundings_from_eye_(frame.surroundings_from_world * world_from_eye_rotation(pass.view)) {}
 
@@ -82,11 +85,16 @@ class PassRenderer {
       if (draw.surface.alpha_mode != AlphaMode::blend) submit(draw, draw.geometry);
     }
     if (pass_.backdrop) {
+      const std::size_t draws = assembled_.draws.size();
       draw_backdrop(renderer_, {frame_.surroundings, surroundings_from_eye_}, pass_.view, pass_.aspect,
                     base_.clamp_colors);
+      if (assembled_.draws.size() > draws) origins_.emplace_back().backdrop = true;
     }
     submit_blended();
-    renderer_.finish();
+    const bool drawn =
+        pass_.observer == nullptr ||
+        pass_.observer->observe({assembled_, origins_, pass_.view, frame_.lights, framebuffer_.options()});
+    if (drawn) renderer_.finish();
     return renderer_.statistics();
   }
 
@@ -94,6 +102,9 @@ class PassRenderer {
   void submit(const Draw& draw, const pipeline::Geometry& geometry) {
     if (draw.node == pass_.without_node) return;
     const bool write_alpha = frame_.clear_color.a < 1.0f;
+    if (pass_.observer != nullptr) {
+      origins_.push_back({false, draw.node, draw.mesh, draw.primitive, draw.material, &draw.geometry});
+    }
     renderer_.draw(state_of(base_, settings_, pass_.view, draw, reflection_of(draw), write_alpha), geometry);
   }
 
@@ -139,6 +150,9 @@ class PassRenderer {
   const Pass& pass_;
   ReflectionMaps& reflections_;
   ReflectionMaps& node_reflections_;
+  raster::Framebuffer& framebuffer_;
+  pipeline::AssembledFrame assembled_;  // both only where somebody observes
+  std::vector<DrawOrigin> origins_;
   pipeline::Renderer renderer_;
   pipeline::State base_;
   glm::mat4 surroundings_from_eye_;
@@ -176,8 +190,12 @@ struct SceneRenderer::Implementation {
     std::vector<raster::Framebuffer> faces;
     ReflectionMaps unused;
     for (int face = 0; face < raster::kCubeFaces; ++face) {
-      const Pass pass{cube_face_view(face, center, frame.posed.bounds.sphere), 1.0,
-                      frame.backdrop_in_reflection, node, nullptr};
+      const Pass pass{cube_face_view(face, center, frame.posed.bounds.sphere),
+                      1.0,
+                      frame.backdrop_in_reflection,
+                      node,
+                      nullptr,
+                      nullptr};
       faces.emplace_back(face_options(settings));
       add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
     }
@@ -203,7 +221,8 @@ struct SceneRenderer::Implementation {
 SceneRenderer::SceneRenderer(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
 SceneRenderer::~SceneRenderer() = default;
 
-raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeline::Statistics* statistics) {
+raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeline::Statistics* statistics,
+                                          FrameObserver* observer) {
   Implementation& self = *implementation_;
   self.warnings.clear();
   raster::Framebuffer framebuffer(frame_options(settings));
@@ -212,7 +231,7 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
   std::map<int, raster::Texture> node_maps;
   if (settings.dynamic_environment) node_maps = self.environments(settings, frame, work);
   ReflectionMaps node_reflections;
-  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, kNone, &node_maps};
+  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, kNone, &node_maps, observer};
   add(work,
       PassRenderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer).run());
   if (statistics != nullptr) *statistics = work;

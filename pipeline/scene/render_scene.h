@@ -82,6 +82,8 @@ struct RenderSettings {
   bool visibility_first = true;
 };
 
+class FrameObserver;
+
 /// A scene made ready for drawing many frames: textures with their mip chains are built once and kept.
 class SceneRenderer {
  public:
@@ -89,8 +91,10 @@ class SceneRenderer {
   explicit SceneRenderer(const Scene& scene);
   ~SceneRenderer();
 
-  /// Draws one frame into a new framebuffer.
-  raster::Framebuffer render(const RenderSettings& settings, pipeline::Statistics* statistics = nullptr);
+  /// Draws one frame into a new framebuffer. `observer`, unless null, is shown the frame first and may say
+  /// that it need not be drawn; the framebuffer is empty then.
+  raster::Framebuffer render(const RenderSettings& settings, pipeline::Statistics* statistics = nullptr,
+                             FrameObserver* observer = nullptr);
 
   /// The view that `render` would use.
   View view(const RenderSettings& settings) const;

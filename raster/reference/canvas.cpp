@@ -12,6 +12,8 @@ float srgb_encoded(float c) {
   return c <= 0.0031308f ? c * 12.92f : 1.055f * portable_pow(c, 1.0f / 2.4f) - 0.055f;
 }
 
+}  // namespace
+
 float display_channel(const DisplayTransform& display, float c) {
   c = c * display.exposure_scale;
   if (display.tone_map == ToneMap::reinhard) {
@@ -21,8 +23,6 @@ float display_channel(const DisplayTransform& display, float c) {
   c = clamp_to_unit(c);
   return display.srgb_encode ? srgb_encoded(c) : c;
 }
-
-}  // namespace
 
 std::uint32_t display_color(const DisplayTransform& display, const Color& color) {
   Color shown = color;
@@ -49,19 +49,36 @@ Color Canvas::incoming_color(Color color) const {
   return color;
 }
 
-void Canvas::apply(const FragmentState& state, int x, int y, const Color& color, float depth) {
+void Canvas::apply(const FragmentState& state, int x, int y, const Color& color, float depth,
+                   FateTrace* trace) {
+  FateTrace unused;
+  FateTrace& fate = trace != nullptr ? *trace : unused;
   const AlphaTest& alpha = state.alpha_test;
-  if (alpha.enabled && !compare(alpha.compare, color[3], alpha.reference)) return;
   const std::size_t pixel = index(x, y);
+  fate.before = fate.after = color_[pixel];
+  fate.depth_before = fate.depth_after = depth_[pixel];
+  fate.alpha_passed = !alpha.enabled || compare(alpha.compare, color[3], alpha.reference);
+  if (!fate.alpha_passed) return;
   if (state.depth.test) {
-    if (!compare(state.depth.compare, depth, depth_[pixel])) return;
+    fate.depth_passed = compare(state.depth.compare, depth, depth_[pixel]);
+    if (!fate.depth_passed) return;
     if (state.depth.write) depth_[pixel] = depth;
+    fate.depth_after = depth_[pixel];
   }
-  const Color old = color_[pixel];
-  const Color written = stored_color(blend(state.blend, incoming_color(color), old));
+  fate.incoming = incoming_color(color);
+  fate.blended = blend(state.blend, fate.incoming, fate.before);
+  const Color written = stored_color(fate.blended);
   for (std::size_t c = 0; c < 4; ++c) {
     if (state.color_mask[c]) color_[pixel][c] = written[c];
   }
+  fate.after = color_[pixel];
+  if (trace == nullptr) return;
+  const BlendState& b = state.blend;
+  const auto factors = [&](BlendFactor rgb, BlendFactor a) {
+    return blend_factor(rgb, a, fate.incoming, fate.before, b.constant);
+  };
+  fate.source_factor = b.enabled ? factors(b.src_rgb, b.src_alpha) : Color{1, 1, 1, 1};
+  fate.destination_factor = b.enabled ? factors(b.dst_rgb, b.dst_alpha) : Color{0, 0, 0, 0};
 }
 
 void Canvas::store(Framebuffer& framebuffer) const {

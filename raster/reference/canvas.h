@@ -8,6 +8,7 @@
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
 #include "raster/reference/arithmetic.h"
+#include "raster/reference/trace.h"
 
 namespace barrido::raster::reference {
 
@@ -15,8 +16,14 @@ class Canvas {
  public:
   Canvas(const FramebufferOptions& options, const ClearValues& clear);
 
-  /// Alpha test, depth test, blending, masks and storing, at window coordinates (x, y) inside the frame.
-  void apply(const FragmentState& state, int x, int y, const Color& color, float depth);
+  /// Alpha test, depth test, blending, masks and storing, at window coordinates (x, y) inside the frame. What
+  /// happened is remembered in `trace` unless that is null.
+  void apply(const FragmentState& state, int x, int y, const Color& color, float depth,
+             FateTrace* trace = nullptr);
+
+  /// The pixel as it is now.
+  const Color& color(int x, int y) const { return color_[index(x, y)]; }
+  float depth(int x, int y) const { return depth_[index(x, y)]; }
 
   /// Writes the 8-bit picture, and float colours and depth where the framebuffer keeps them.
   void store(Framebuffer& framebuffer) const;
@@ -33,6 +40,9 @@ class Canvas {
   std::vector<Color> color_;  ///< Bottom row first; rgba8: multiples of 1/255 as read back from bytes.
   std::vector<float> depth_;
 };
+
+/// One channel of it, exposed, tone-mapped and encoded, before it is rounded to 8 bits.
+float display_channel(const DisplayTransform& display, float c);
 
 /// The 8-bit colour of a float frame's colour ("Display").
 std::uint32_t display_color(const DisplayTransform& display, const Color& color);

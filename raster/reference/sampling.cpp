@@ -82,10 +82,13 @@ int nearest_index(float u, int size, Wrap wrap) {
   return static_cast<int>(minimum(maximum(index, lowest), highest));
 }
 
-Filtered sample_nearest(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t) {
+Filtered sample_nearest(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t,
+                        LevelTrace* trace) {
   const MipLevel& size = texture.level(level, place.face);
-  Filtered texel = fetch(texture, level, place.face, nearest_index(place.u, size.width, wrap_s),
-                         nearest_index(place.v, size.height, wrap_t));
+  const int i = nearest_index(place.u, size.width, wrap_s);
+  const int j = nearest_index(place.v, size.height, wrap_t);
+  Filtered texel = fetch(texture, level, place.face, i, j);
+  if (trace != nullptr) trace->texels.push_back({i, j, texture.texel(level, place.face, i, j), 1.0f});
   if (texture.format() == TexelFormat::rgba8) {
     for (std::uint32_t& channel : texel) channel *= 256;
   }
@@ -133,23 +136,61 @@ Filtered filter_row(const Texture& texture, int level, int face, const Neighbour
   return row;
 }
 
-Filtered sample_linear(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t) {
+/// The four texels with their weights. A texel behind the apron has none and is not read.
+void remember_texels(const Texture& texture, int level, int face, const Neighbours& across,
+                     const Neighbours& down, LevelTrace& trace) {
+  const MipLevel& size = texture.level(level, face);
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 2; ++column) {
+      const std::uint32_t share = (column == 1 ? across.fraction : 256 - across.fraction) *
+                                  (row == 1 ? down.fraction : 256 - down.fraction);
+      const int i = std::min(across.first + column, size.width);
+      const int j = std::min(down.first + row, size.height);
+      trace.texels.push_back(
+          {i, j, texture.texel(level, face, i, j), static_cast<float>(share) * (1.0f / 65536.0f)});
+    }
+  }
+}
+
+Filtered sample_linear(const Texture& texture, int level, const Place& place, Wrap wrap_s, Wrap wrap_t,
+                       LevelTrace* trace) {
   const MipLevel& size = texture.level(level, place.face);
   const Neighbours across = linear_neighbours(place.u, size.width, wrap_s);
   const Neighbours down = linear_neighbours(place.v, size.height, wrap_t);
   const Filtered near_row = filter_row(texture, level, place.face, across, down.first);
   const Filtered far_row =
       filter_row(texture, level, place.face, across, std::min(down.first + 1, size.height));
+  if (trace != nullptr) remember_texels(texture, level, place.face, across, down, *trace);
   return mix(near_row, far_row, down.fraction);
 }
 
-Filtered sample_level(const Texture& texture, int level, const Place& place, bool linear) {
+/// What a 16-bit channel of the filters counts.
+float channel_scale(const Texture& texture) {
+  return texture.format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
+}
+
+Color color_of(const Texture& texture, const Filtered& filtered) {
+  const float scale = channel_scale(texture);
+  Color color{};
+  for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<float>(filtered[c]) * scale;
+  return color;
+}
+
+Filtered sample_level(const Texture& texture, int level, const Place& place, bool linear,
+                      SampleTrace* trace) {
   // Cube maps have no wrap modes: the apron holds what stands beyond an edge.
   const TextureOptions& options = texture.options();
   const Wrap wrap_s = texture.is_cube() ? Wrap::clamp_to_edge : options.wrap_s;
   const Wrap wrap_t = texture.is_cube() ? Wrap::clamp_to_edge : options.wrap_t;
-  return linear ? sample_linear(texture, level, place, wrap_s, wrap_t)
-                : sample_nearest(texture, level, place, wrap_s, wrap_t);
+  LevelTrace* remembered = nullptr;
+  if (trace != nullptr) {
+    const MipLevel& size = texture.level(level, place.face);
+    remembered = &trace->levels.emplace_back(LevelTrace{level, size.width, size.height, {}, {}});
+  }
+  const Filtered filtered = linear ? sample_linear(texture, level, place, wrap_s, wrap_t, remembered)
+                                   : sample_nearest(texture, level, place, wrap_s, wrap_t, remembered);
+  if (remembered != nullptr) remembered->color = color_of(texture, filtered);
+  return filtered;
 }
 
 bool is_linear_within_level(MinFilter filter) {
@@ -164,7 +205,7 @@ float magnification_limit(const TextureUnit& unit) {
   return unit.mag_filter == MagFilter::linear && nearest_mipmap ? 0.5f : 0.0f;
 }
 
-Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lod) {
+Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lod, SampleTrace* trace) {
   const Texture& texture = *unit.texture;
   const int last = texture.level_count() - 1;
   const float bounded = minimum(lod, static_cast<float>(last));
@@ -172,12 +213,14 @@ Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lo
   const int far_level = std::min(near_level + 1, last);
   const float between = (bounded - static_cast<float>(near_level)) * 256.0f;
   const bool linear = is_linear_within_level(unit.min_filter);
-  return mix(sample_level(texture, near_level, place, linear),
-             sample_level(texture, far_level, place, linear),
-             static_cast<std::uint32_t>(std::floor(between)));
+  const float weight = std::floor(between);
+  if (trace != nullptr) trace->far_weight = weight * (1.0f / 256.0f);
+  const Filtered near_texel = sample_level(texture, near_level, place, linear, trace);
+  const Filtered far_texel = sample_level(texture, far_level, place, linear, trace);
+  return mix(near_texel, far_texel, static_cast<std::uint32_t>(weight));
 }
 
-Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod) {
+Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod, SampleTrace* trace) {
   const Texture& texture = *unit.texture;
   const bool linear = is_linear_within_level(unit.min_filter);
   switch (unit.min_filter) {
@@ -188,27 +231,34 @@ Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod)
     case MinFilter::linear_mipmap_nearest: {
       const auto last = static_cast<float>(texture.level_count() - 1);
       const float level = minimum(maximum(std::ceil(lod + 0.5f) - 1.0f, 0.0f), last);
-      return sample_level(texture, static_cast<int>(level), place, linear);
+      return sample_level(texture, static_cast<int>(level), place, linear, trace);
     }
     case MinFilter::nearest_mipmap_linear:
     case MinFilter::linear_mipmap_linear:
-      return sample_two_levels(unit, place, lod);
+      return sample_two_levels(unit, place, lod, trace);
   }
-  return sample_level(texture, 0, place, linear);
+  return sample_level(texture, 0, place, linear, trace);
 }
 
 }  // namespace
 
-Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod) {
+Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod,
+                     SampleTrace* trace) {
   const Place place = place_of(kind, coordinates);
   const float biased = lod + unit.lod_bias;
   const bool magnified = biased <= magnification_limit(unit);
-  const Filtered filtered = magnified
-                                ? sample_level(*unit.texture, 0, place, unit.mag_filter == MagFilter::linear)
-                                : sample_minified(unit, place, biased);
-  const float scale = unit.texture->format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
-  Color color{};
-  for (std::size_t c = 0; c < 4; ++c) color[c] = static_cast<float>(filtered[c]) * scale;
+  const Filtered filtered =
+      magnified ? sample_level(*unit.texture, 0, place, unit.mag_filter == MagFilter::linear, trace)
+                : sample_minified(unit, place, biased, trace);
+  const Color color = color_of(*unit.texture, filtered);
+  if (trace != nullptr) {
+    trace->face = place.face;
+    trace->u = place.u;
+    trace->v = place.v;
+    trace->lod = biased;
+    trace->magnified = magnified;
+    trace->color = color;
+  }
   return color;
 }
 

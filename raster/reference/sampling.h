@@ -4,10 +4,13 @@
 
 #include "raster/fragment_state.h"
 #include "raster/reference/arithmetic.h"
+#include "raster/reference/trace.h"
 
 namespace barrido::raster::reference {
 
-/// `coordinates` holds two or three numbers, as `kind` says; `lod` is λ without the unit's bias.
-Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod);
+/// `coordinates` holds two or three numbers, as `kind` says; `lod` is λ without the unit's bias. What was
+/// read is remembered in `trace` unless that is null.
+Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod,
+                     SampleTrace* trace = nullptr);
 
 }  // namespace barrido::raster::reference

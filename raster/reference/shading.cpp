@@ -1,5 +1,6 @@
 #include "raster/reference/shading.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "raster/portable_math.h"
@@ -29,31 +30,45 @@ void light_fragment(FragmentBatch& batch) {
   }
 }
 
-Color sample_unit(const FragmentBatch& batch, int unit) {
+Color sample_unit(const FragmentBatch& batch, int unit, UnitTrace* trace) {
   const auto index = static_cast<std::size_t>(unit);
   const VaryingLayout& layout = batch.state->varyings;
   const TexcoordKind kind = layout.texcoord_kind[index];
   float coordinates[3] = {0, 0, 0};
   const int count = kind == TexcoordKind::plain ? 2 : 3;
   for (int k = 0; k < count; ++k) coordinates[k] = batch.varying[layout.texcoord[index] + k][0];
-  return sample_texture(batch.state->texture_units[index], kind, coordinates, batch.lod[unit][0]);
+  if (trace != nullptr) {
+    trace->unit = unit;
+    std::copy_n(coordinates, 3, trace->coordinates);
+    trace->lod = batch.lod[unit][0];
+  }
+  return sample_texture(batch.state->texture_units[index], kind, coordinates, batch.lod[unit][0],
+                        trace != nullptr ? &trace->sample : nullptr);
 }
 
-Color apply_texture_units(const FragmentBatch& batch, const Color& primary) {
+Color apply_texture_units(const FragmentBatch& batch, const Color& primary, ShadingTrace* trace) {
   const FragmentState& state = *batch.state;
   Color color = primary;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_unit_active(state, unit)) continue;
-    color = apply_texture_environment(state.texture_units[static_cast<std::size_t>(unit)],
-                                      {sample_unit(batch, unit), primary, color});
-    if (state.clamp_colors) color = clamped(color);
+    UnitTrace* remembered = trace != nullptr ? &trace->units.emplace_back() : nullptr;
+    const UnitInputs inputs{sample_unit(batch, unit, remembered), primary, color};
+    const Color result =
+        apply_texture_environment(state.texture_units[static_cast<std::size_t>(unit)], inputs);
+    color = state.clamp_colors ? clamped(result) : result;
+    if (remembered != nullptr) {
+      remembered->previous = inputs.previous;
+      remembered->result = result;
+      remembered->color = color;
+    }
   }
   return color;
 }
 
-Color apply_fog(const FogState& fog, float distance, Color color) {
+Color apply_fog(const FogState& fog, float distance, Color color, ShadingTrace* trace) {
   const float f = fog_fraction(fog, distance);
   for (std::size_t c = 0; c < 3; ++c) color[c] = f * color[c] + (1.0f - f) * fog.color[c];
+  if (trace != nullptr) trace->fog = FogTrace{distance, f, color};
   return color;
 }
 
@@ -85,25 +100,35 @@ float fog_fraction(const FogState& fog, float distance) {
   return clamp_to_unit(f);
 }
 
-Color shade_fragment(FragmentBatch& batch) {
+Color shade_fragment(FragmentBatch& batch, ShadingTrace* trace) {
   const FragmentState& state = *batch.state;
   light_fragment(batch);
   Color primary{};
   Color secondary{};
   for (std::size_t c = 0; c < 4; ++c) primary[c] = batch.color[c][0];
   for (std::size_t c = 0; c < 3; ++c) secondary[c] = batch.specular[c][0];
+  if (trace != nullptr) {
+    trace->lit_primary = primary;
+    trace->lit_secondary = secondary;
+  }
   if (state.clamp_colors) {
     primary = clamped(primary);
     secondary = clamped(secondary);
   }
-  Color color = apply_texture_units(batch, primary);
+  if (trace != nullptr) {
+    trace->primary = primary;
+    trace->secondary = secondary;
+  }
+  Color color = apply_texture_units(batch, primary, trace);
   if (state.separate_specular) {
     for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] + secondary[c];
     if (state.clamp_colors) color = clamped(color);
+    if (trace != nullptr) trace->sum = color;
   }
   if (state.fog.enabled && state.varyings.fog != kAbsent) {
-    color = apply_fog(state.fog, std::fabs(batch.varying[state.varyings.fog][0]), color);
+    color = apply_fog(state.fog, std::fabs(batch.varying[state.varyings.fog][0]), color, trace);
   }
+  if (trace != nullptr) trace->color = color;
   return color;
 }
 

@@ -4,6 +4,7 @@
 
 #include "raster/fragment_batch.h"
 #include "raster/reference/arithmetic.h"
+#include "raster/reference/trace.h"
 
 namespace barrido::raster::reference {
 
@@ -14,7 +15,7 @@ bool is_unit_active(const FragmentState& state, int unit);
 float fog_fraction(const FogState& fog, float distance);
 
 /// The colour of the batch's fragment, whose depth, varyings and levels of detail are set and whose colours
-/// are those of the primitive where it is flat.
-Color shade_fragment(FragmentBatch& batch);
+/// are those of the primitive where it is flat. The steps are remembered in `trace` unless that is null.
+Color shade_fragment(FragmentBatch& batch, ShadingTrace* trace = nullptr);
 
 }  // namespace barrido::raster::reference

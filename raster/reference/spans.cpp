@@ -81,12 +81,12 @@ std::vector<int> crossings(const PrimitiveRecord& p, int y) {
 
 }  // namespace
 
-std::vector<Span> triangle_spans(const PrimitiveRecord& triangle, FrameSize frame) {
+std::vector<Span> triangle_spans(const PrimitiveRecord& triangle, FrameSize frame, RowRange rows) {
   std::vector<Span> spans;
   if (twice_area(triangle) == 0) return spans;
   const auto [lowest, highest] = std::minmax_element(std::begin(triangle.y), std::end(triangle.y));
-  const int begin = std::max(first_center_from(*lowest), 0);
-  const int end = std::min(first_center_from(*highest), frame.height);
+  const int begin = std::max({first_center_from(*lowest), 0, rows.begin});
+  const int end = std::min({first_center_from(*highest), frame.height, rows.end});
   for (int y = begin; y < end; ++y) {
     const std::vector<int> ends = crossings(triangle, y);
     append_pieces(y, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), frame, spans);
@@ -94,7 +94,7 @@ std::vector<Span> triangle_spans(const PrimitiveRecord& triangle, FrameSize fram
   return spans;
 }
 
-std::vector<Span> point_spans(const PrimitiveRecord& point, float size, FrameSize frame) {
+std::vector<Span> point_spans(const PrimitiveRecord& point, float size, FrameSize frame, RowRange rows) {
   const int n = integer_size(size);
   const auto lowest_pixel = [n](int position) {
     if (n % 2 == 1) return static_cast<int>(floor_divide(position, kSubpixelUnits)) - (n - 1) / 2;
@@ -103,7 +103,9 @@ std::vector<Span> point_spans(const PrimitiveRecord& point, float size, FrameSiz
   const int left = lowest_pixel(point.x[0]);
   const int bottom = lowest_pixel(point.y[0]);
   std::vector<Span> spans;
-  for (int y = bottom; y < bottom + n; ++y) append_pieces(y, left, left + n, frame, spans);
+  for (int y = std::max(bottom, rows.begin); y < std::min(bottom + n, rows.end); ++y) {
+    append_pieces(y, left, left + n, frame, spans);
+  }
   return spans;
 }
 
@@ -111,7 +113,7 @@ bool is_x_major(const PrimitiveRecord& line) {
   return std::abs(line.x[1] - line.x[0]) >= std::abs(line.y[1] - line.y[0]);
 }
 
-std::vector<Span> line_spans(const PrimitiveRecord& line, float width, FrameSize frame) {
+std::vector<Span> line_spans(const PrimitiveRecord& line, float width, FrameSize frame, RowRange rows) {
   const bool x_major = is_x_major(line);
   const std::int32_t(&along)[3] = x_major ? line.x : line.y;
   const std::int32_t(&across)[3] = x_major ? line.y : line.x;
@@ -128,7 +130,8 @@ std::vector<Span> line_spans(const PrimitiveRecord& line, float width, FrameSize
     const int lowest = static_cast<int>(floor_divide(numerator, kSubpixelUnits * length));
     for (int minor = lowest; minor < lowest + n; ++minor) {
       const int x = x_major ? major : minor;
-      append_pieces(x_major ? minor : major, x, x + 1, frame, spans);
+      const int y = x_major ? minor : major;
+      if (rows.holds(y)) append_pieces(y, x, x + 1, frame, spans);
     }
   };
   // Half-open at the end point, whichever way the line runs.

@@ -14,7 +14,7 @@ CODE_FOLDERS = ("raster", "pipeline", "viewer", "models", "tests", "examples")
 MAX_LINES = 400
 
 # Layers from the lowest to the highest: a file may include only its own layer and those before it.
-LAYERS = ["raster", "pipeline", "pipeline/scene", "viewer"]
+LAYERS = ["raster", "pipeline", "pipeline/scene", "pipeline/inspect", "viewer"]
 # Headers that only one folder may see.
 PRIVATE_HEADERS = {
     r"tiny_gltf\.h|tinygltf": ["pipeline/scene"],

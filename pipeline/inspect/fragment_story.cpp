@@ -1,0 +1,186 @@
+#include "pipeline/inspect/fragment_story.h"
+
+#include <array>
+
+#include "pipeline/assembly_input.h"
+#include "pipeline/inspect/corner_vertex.h"
+#include "pipeline/inspect/illumination_story.h"
+#include "pipeline/scene/triangles.h"
+
+namespace barrido::inspect {
+namespace {
+
+using pipeline::AssembledDraw;
+using pipeline::Shading;
+using raster::kAbsent;
+
+std::string name_at(int index, const auto& list) {
+  return index == scene::kNone ? std::string() : list[static_cast<std::size_t>(index)].name;
+}
+
+void tell_names(const FragmentContext& context, const scene::DrawOrigin& origin, FragmentStory& story) {
+  story.backdrop = origin.backdrop;
+  if (origin.backdrop) return;
+  story.node = origin.node;
+  story.mesh = origin.mesh;
+  story.primitive = origin.primitive;
+  story.material = origin.material;
+  story.node_name = name_at(origin.node, context.scene.nodes);
+  story.mesh_name = name_at(origin.mesh, context.scene.meshes);
+  story.material_name = name_at(origin.material, context.scene.materials);
+}
+
+/// The triangle's number in the file: blended draws are sorted, so it is looked up by its corners.
+std::uint32_t number_in_file(const ChunkPlace& place, std::uint32_t source) {
+  const pipeline::Geometry* original = place.origin->geometry;
+  const std::span<const std::uint32_t> drawn = place.draw->geometry.indices;
+  if (original == nullptr || original->indices.data() == drawn.data() ||
+      drawn.size() < 3 * std::size_t{source} + 3) {
+    return source;
+  }
+  const std::vector<std::uint32_t> triangles =
+      scene::triangle_list(original->mode, original->indices, original->vertex_count);
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    if (std::equal(triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                   triangles.begin() + static_cast<std::ptrdiff_t>(i) + 3, drawn.begin() + 3 * source)) {
+      return static_cast<std::uint32_t>(i / 3);
+    }
+  }
+  return source;
+}
+
+std::string image_of(const FragmentContext& context, const FragmentStory& story, std::string_view role) {
+  if (story.material == scene::kNone) return {};
+  const scene::Material& material = context.scene.materials[static_cast<std::size_t>(story.material)];
+  const int texture =
+      role == "base color" ? material.base_color_texture.texture : material.emissive_texture.texture;
+  if (texture == scene::kNone) return {};
+  return name_at(context.scene.textures[static_cast<std::size_t>(texture)].image, context.scene.images);
+}
+
+TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& draw,
+                          const FragmentStory& story, std::size_t unit) {
+  const raster::TextureUnit& state = draw.plan->fragment.texture_units[unit];
+  TextureStory texture;
+  texture.cube = state.texture->is_cube();
+  texture.width = state.texture->width();
+  texture.height = state.texture->height();
+  texture.levels = state.texture->level_count();
+  texture.role = texture.cube                                        ? "environment"
+                 : state.env_mode == raster::TextureEnvMode::combine ? "constant"
+                 : state.env_mode == raster::TextureEnvMode::add     ? "emission"
+                                                                     : "base color";
+  if (texture.role == "base color" || texture.role == "emission") {
+    texture.image = image_of(context, story, texture.role);
+  }
+  return texture;
+}
+
+glm::vec3 varying3(const raster::reference::FragmentTrace& trace, int offset) {
+  if (offset == kAbsent) return glm::vec3(0.0f);
+  const float* v = trace.varyings.data() + offset;
+  return {v[0], v[1], v[2]};
+}
+
+glm::vec4 varying4(const raster::reference::FragmentTrace& trace, int offset) {
+  if (offset == kAbsent) return glm::vec4(1.0f);
+  const float* v = trace.varyings.data() + offset;
+  return {v[0], v[1], v[2], v[3]};
+}
+
+/// The middle of the polygon: sums in double precision and one rounding, as flat shading makes it.
+LitPoint centroid(const AssembledDraw& draw, const std::vector<std::uint32_t>& vertices, bool back) {
+  glm::dvec3 position(0.0), normal(0.0);
+  glm::dvec4 color(0.0);
+  for (const std::uint32_t vertex : vertices) {
+    const LitPoint corner = VertexAgain(draw, vertex).point(back);
+    position += glm::dvec3(corner.position);
+    normal += glm::dvec3(corner.normal);
+    color += glm::dvec4(corner.color);
+  }
+  const auto count = static_cast<double>(vertices.size());
+  LitPoint point;
+  point.position = glm::vec3(position / count);
+  point.normal = glm::vec3(normal / count);
+  point.color = glm::vec4(color / count);
+  point.normalize = true;
+  point.back = back;
+  return point;
+}
+
+/// The polygon's corners as flat shading counts them: of lines that are its edges, all of the polygon's.
+std::vector<std::uint32_t> polygon_vertices(const AssembledDraw& draw, std::uint32_t source) {
+  const pipeline::AssemblyInput input{*draw.plan, draw.geometry, draw.vertices};
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t k = 0; k < input.corner_count(); ++k) {
+    vertices.push_back(input.corner_vertex(source, k) + draw.vertices.first);
+  }
+  return vertices;
+}
+
+void tell_illumination(const FragmentContext& context, const ChunkPlace& place, std::uint32_t source,
+                       FragmentStory& story) {
+  const AssembledDraw& draw = *place.draw;
+  if (!draw.plan->illumination) return;
+  const pipeline::Illumination& model = *draw.plan->illumination;
+  const LightingNames names{draw.state.lighting, context.light_names};
+  const raster::VaryingLayout& layout = story.state.varyings;
+  const auto explain = [&](const LitPoint& point, std::string where) {
+    story.illuminations.push_back(explain_illumination(model, point, names));
+    story.illuminations.back().place = std::move(where);
+  };
+  const auto at_vertex = [&](std::uint32_t vertex, const std::string& prefix) {
+    explain(VertexAgain(draw, vertex).point(story.back_facing), prefix + std::to_string(vertex));
+  };
+  switch (draw.plan->shading) {
+    case Shading::constant:
+      return;
+    case Shading::flat_provoking: {
+      const pipeline::AssemblyInput input{*draw.plan, draw.geometry, draw.vertices};
+      return at_vertex(input.provoking_vertex(source) + draw.vertices.first, "provoking vertex ");
+    }
+    case Shading::flat_centroid:
+      return explain(centroid(draw, polygon_vertices(draw, source), story.back_facing), "centroid");
+    case Shading::phong:
+      return explain({varying3(story.trace, layout.eye_position), varying3(story.trace, layout.normal),
+                      varying4(story.trace, layout.color), true, story.trace.back_facing},
+                     "fragment");
+    case Shading::per_vertex:
+    case Shading::cheap_phong:
+      for (const CornerStory& corner : story.corners) at_vertex(corner.vertex, "vertex ");
+      break;
+  }
+  if (draw.plan->shading != Shading::cheap_phong) return;
+  const std::span<const float> dots(story.trace.varyings.data() + layout.dots,
+                                    static_cast<std::size_t>(pipeline::cheap_phong_varyings(model)));
+  story.from_products = explain_products(model, draw.plan->cheap_phong_power, dots,
+                                         varying4(story.trace, layout.color), story.trace.back_facing, names);
+}
+
+}  // namespace
+
+FragmentStory tell_fragment(const FragmentContext& context, const ChunkPlace& place,
+                            raster::reference::FragmentTrace trace) {
+  const raster::PrimitiveChunk& chunk = *place.chunk->chunk;
+  const raster::PrimitiveRecord& primitive = chunk.primitives[trace.primitive];
+  const std::uint32_t source = place.chunk->sources[trace.primitive];
+  FragmentStory story;
+  tell_names(context, *place.origin, story);
+  story.triangle = number_in_file(place, source);
+  story.topology = chunk.topology;
+  story.clipped = is_clipped(chunk, primitive);
+  story.back_facing = faces_back(place, primitive, source);
+  story.shading = place.draw->plan->shading;
+  story.corners = tell_corners(context, place, primitive, source);
+  for (const raster::reference::UnitTrace& unit : trace.shading.units) {
+    story.textures.push_back(tell_texture(context, *place.draw, story, static_cast<std::size_t>(unit.unit)));
+  }
+  story.state = *chunk.state;
+  story.state.illumination = {};
+  for (raster::TextureUnit& unit : story.state.texture_units) unit.texture = nullptr;
+  story.trace = std::move(trace);
+  if (!story.trace.outside_scissor) tell_illumination(context, place, source, story);
+  return story;
+}
+
+}  // namespace barrido::inspect

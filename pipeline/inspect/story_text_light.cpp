@@ -1,0 +1,75 @@
+#include "pipeline/inspect/story_text_parts.h"
+#include "pipeline/inspect/story_words.h"
+
+namespace barrido::inspect {
+namespace {
+
+/// "name       " of a light, so that the lines of its shares stand in columns.
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+bool is_zero(const Rgb& c) { return c[0] == 0.0f && c[1] == 0.0f && c[2] == 0.0f; }
+
+void tell_formula(const IlluminationStory& story, const std::string& highlight, Lines& lines) {
+  if (story.interpolated_products) {
+    const std::string power = story.highlights_are_powers ? highlight + "^n" : "(" + highlight + ")^n";
+    lines.add(
+        2, "I = ke + ka·Ia + Σ Ip·(kd·[f·N·L] + ks·[" + power + "]), with [ ] interpolated from the corners");
+    return;
+  }
+  lines.add(2, "I = ke + ka·Ia + Σ f·Ip·(kd·max(N·L, 0) + ks·(" + highlight + ")^n)");
+}
+
+void tell_light(const LightStory& light, const IlluminationStory& story, const std::string& highlight,
+                Lines& lines) {
+  const bool shines = !is_zero(light.specular) || light.power != 0.0f;
+  if (!story.interpolated_products) {
+    lines.add(2, "light '" + light.name + "': Ip = " + tuple(light.intensity) +
+                     ", L = " + tuple(light.to_light) +
+                     (light.weakening != 1.0f ? ", f = " + number(light.weakening) : ""));
+  } else {
+    lines.add(2, "light '" + light.name + "': Ip = " + tuple(light.intensity));
+  }
+  const std::string factor = light.weakening != 1.0f ? "f·" : "";
+  if (!is_zero(light.ambient)) lines.add(3, padded("ambient", 44) + "= " + tuple(light.ambient));
+  lines.add(3, padded("diffuse   " + factor + "Ip·kd·max(" + number(light.n_dot_l) + ", 0)", 44) + "= " +
+                   tuple(light.diffuse));
+  if (!shines) return;
+  const std::string power =
+      story.highlights_are_powers
+          ? "[" + highlight + "^n] " + number(light.highlight)
+          : number(light.highlight) + "^" + number(story.shininess) + " -> " + number(light.power);
+  lines.add(3, padded("specular  " + factor + "Ip·ks·(" + power + ")", 44) + "= " + tuple(light.specular));
+}
+
+}  // namespace
+
+void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, Lines& lines) {
+  const std::string highlight = model == pipeline::SpecularModel::blinn ? "N·H" : "R·V";
+  lines.add(1, "Illumination at the " + story.place +
+                   (story.back_side ? " (back side: N is turned round)" : "") + ":");
+  tell_formula(story, highlight, lines);
+  if (!story.interpolated_products) {
+    lines.add(2, "N = " + tuple(story.normal) + ", V = " + tuple(story.to_viewer) +
+                     ", P = " + tuple(story.position) + " (eye space)");
+  }
+  lines.add(2, "kd = " + tuple(story.k_diffuse) + ", ks = " + tuple(story.k_specular) +
+                   ", n = " + number(story.shininess));
+  lines.add(2, "ka = " + tuple(story.k_ambient) + ", Ia = " + tuple(story.ambient_light) +
+                   ", ke = " + tuple(story.emission));
+  lines.add(2, padded("ke + ka·Ia", 46) + "= " + tuple(story.base));
+  if (!is_zero(story.interpolated_ambient)) {
+    lines.add(2, padded("[ambient of lights that weaken]", 46) + "= " + tuple(story.interpolated_ambient));
+  }
+  for (const LightStory& light : story.lights) tell_light(light, story, highlight, lines);
+  if (is_zero(story.secondary)) {
+    lines.add(2, padded("sum, with alpha", 46) + "= " + tuple(story.primary));
+    return;
+  }
+  lines.add(2, padded("sum of ambient and diffuse, with alpha", 46) + "= " + tuple(story.primary));
+  lines.add(2, padded("sum of highlights", 46) + "= " + tuple(story.secondary));
+}
+
+}  // namespace barrido::inspect

@@ -1,0 +1,215 @@
+#include <algorithm>
+
+#include "pipeline/inspect/story_text_parts.h"
+#include "pipeline/inspect/story_words.h"
+
+namespace barrido::inspect {
+namespace {
+
+using raster::kAbsent;
+using raster::reference::ShadingTrace;
+using raster::reference::UnitTrace;
+
+std::string at(int x, int y) { return std::to_string(x) + ", " + std::to_string(y); }
+
+void tell_corners(const FragmentStory& f, Lines& lines) {
+  if (f.corners.empty()) return;
+  lines.add(1, f.clipped ? "Corners in the file; clipping left a piece of it here:" : "Corners:");
+  for (const CornerStory& c : f.corners) {
+    std::string line =
+        "vertex " + std::to_string(c.vertex) + " at " + tuple(c.object) + ": weight " + number(c.weight);
+    if (!f.clipped && c.screen_weight != c.weight) {
+      line += " (" + number(c.screen_weight) + " on the screen)";
+    }
+    line += ", window (" + number(c.window_x) + ", " + number(c.window_y) + "), z = " + number(c.depth) +
+            ", w = " + number(c.w);
+    lines.add(2, line);
+    if (c.lit) {
+      lines.add(
+          3, "colour " + tuple(*c.lit) + (c.lit_secondary ? ", highlights " + tuple(*c.lit_secondary) : ""));
+    }
+  }
+}
+
+/// "0.5 + 0.001·12": a quantity at the span's first pixel and its step.
+std::string along(const raster::reference::SpanQuantity& quantity, int steps) {
+  return number(quantity.row) + " + " + std::to_string(steps) + "·" + number(quantity.ddx) + " = " +
+         number(quantity.at(static_cast<float>(steps)));
+}
+
+void tell_span(const FragmentStory& f, int x, Lines& lines) {
+  const auto& trace = f.trace;
+  const int steps = x - trace.along.anchor;
+  lines.add(1, "Scanline y = " + std::to_string(trace.span.y) + ": pixels " +
+                   std::to_string(trace.span.first) + " to " + std::to_string(trace.span.end - 1) +
+                   "; from the first of them " + std::to_string(steps) + (steps == 1 ? " step" : " steps"));
+  lines.add(2, "z   = " + along(trace.along.quantities[raster::kRecordDepth], steps));
+  lines.add(2, "1/w = " + along(trace.along.quantities[raster::kRecordQ], steps) +
+                   ", w = " + number(1.0 / trace.q));
+  const auto tell = [&](const char* name, int offset, int count) {
+    if (offset == kAbsent) return;
+    const auto first = trace.varyings.begin() + offset;
+    const std::vector<float> values(first, first + count);
+    lines.add(2, std::string(name) + " = " + tuple(values) +
+                     (offset < f.state.varyings.affine_count ? " (linear on the screen)" : ""));
+  };
+  const raster::VaryingLayout& layout = f.state.varyings;
+  tell("colour", layout.color, 4);
+  tell("highlights", layout.specular, 3);
+  tell("normal", layout.normal, 3);
+  tell("eye position", layout.eye_position, 3);
+}
+
+std::string texture_words(const UnitTrace& unit, const TextureStory& texture,
+                          const raster::TextureUnit& state) {
+  std::string words = "Texture unit " + std::to_string(unit.unit) + ", " + texture.role;
+  if (!texture.image.empty()) words += " '" + texture.image + "'";
+  words += ", " + std::to_string(texture.width) + " x " + std::to_string(texture.height);
+  if (texture.cube) words += " cube map, face " + std::string(name_of_face(unit.sample.face));
+  return words + ", " +
+         std::string(unit.sample.magnified ? name_of(state.mag_filter) : name_of(state.min_filter)) +
+         (unit.sample.magnified ? " (magnified)" : "") + ":";
+}
+
+void tell_sample(const UnitTrace& unit, const TextureStory& texture, Lines& lines) {
+  const auto& sample = unit.sample;
+  const bool plain = !texture.cube;
+  lines.add(2, (plain ? "s, t = " : "direction = ") +
+                   tuple(std::span<const float>(unit.coordinates, plain ? 2 : 3)) +
+                   (plain ? "" : ", place on the face " + number(sample.u) + ", " + number(sample.v)) +
+                   "; level of detail λ = " + number(sample.lod));
+  for (const auto& level : sample.levels) {
+    lines.add(2, "level " + std::to_string(level.level) + " (" + std::to_string(level.width) + " x " +
+                     std::to_string(level.height) + "):");
+    for (const auto& texel : level.texels) {
+      lines.add(3, "texel " + at(texel.i, texel.j) + " " + tuple(texel.color) +
+                       (level.texels.size() > 1 ? " x " + number(texel.weight) : ""));
+    }
+    if (level.texels.size() > 1) lines.add(3, "= " + tuple(level.color));
+  }
+  if (sample.levels.size() > 1) {
+    lines.add(2, number(1.0f - sample.far_weight) + " of level " + std::to_string(sample.levels[0].level) +
+                     " + " + number(sample.far_weight) + " of level " +
+                     std::to_string(sample.levels[1].level) + " = " + tuple(sample.color));
+  }
+}
+
+std::string argument(const raster::CombineChannel& c, std::size_t k) {
+  const std::string source(name_of(c.source[k]));
+  switch (c.operand[k]) {
+    case raster::CombineOperand::color:
+      return source;
+    case raster::CombineOperand::one_minus_color:
+      return "(1 - " + source + ")";
+    case raster::CombineOperand::alpha:
+      return source + " alpha";
+    case raster::CombineOperand::one_minus_alpha:
+      break;
+  }
+  return "(1 - " + source + " alpha)";
+}
+
+/// The formula of a texture environment.
+std::string environment_words(const raster::TextureUnit& state) {
+  const raster::CombineChannel& c = state.combine.rgb;
+  const std::string a = argument(c, 0), b = argument(c, 1), k = argument(c, 2);
+  switch (state.env_mode) {
+    case raster::TextureEnvMode::modulate:
+      return "previous·texture";
+    case raster::TextureEnvMode::replace:
+      return "texture";
+    case raster::TextureEnvMode::add:
+      return "previous + texture";
+    case raster::TextureEnvMode::decal:
+      return "previous·(1 - texture alpha) + texture·texture alpha";
+    case raster::TextureEnvMode::blend:
+      return "previous·(1 - texture) + constant·texture";
+    case raster::TextureEnvMode::combine:
+      break;
+  }
+  switch (c.function) {
+    case raster::CombineFunction::replace:
+      return a;
+    case raster::CombineFunction::modulate:
+      return a + "·" + b;
+    case raster::CombineFunction::add:
+      return a + " + " + b;
+    case raster::CombineFunction::add_signed:
+      return a + " + " + b + " - 0.5";
+    case raster::CombineFunction::subtract:
+      return a + " - " + b;
+    case raster::CombineFunction::interpolate:
+      break;
+  }
+  return a + "·" + k + " + " + b + "·(1 - " + k + ")";
+}
+
+void tell_unit(const UnitTrace& unit, const TextureStory& texture, const raster::TextureUnit& state,
+               Lines& lines) {
+  lines.add(1, texture_words(unit, texture, state));
+  tell_sample(unit, texture, lines);
+  const std::string formula = environment_words(state);
+  lines.add(
+      2, formula + ", with previous " + tuple(unit.previous) +
+             (formula.find("constant") != std::string::npos ? ", constant " + tuple(state.env_color) : ""));
+  lines.add(2, "= " + tuple(unit.color));
+}
+
+void tell_combination(const FragmentStory& f, Lines& lines) {
+  const ShadingTrace& shading = f.trace.shading;
+  for (std::size_t i = 0; i < shading.units.size(); ++i) {
+    const auto unit = static_cast<std::size_t>(shading.units[i].unit);
+    tell_unit(shading.units[i], f.textures[i], f.state.texture_units[unit], lines);
+  }
+  if (shading.sum && shading.secondary != Color{}) {
+    lines.add(1, "Highlights " + tuple(std::span<const float>(shading.secondary.data(), 3)) +
+                     " are added after the textures = " + tuple(*shading.sum));
+  }
+  if (shading.fog) {
+    lines.add(1, "Fog (" + std::string(name_of(f.state.fog.mode)) + ") at distance " +
+                     number(shading.fog->distance) + ": f = " + number(shading.fog->fraction) +
+                     "; f·colour + (1 - f)·" + tuple(std::span<const float>(f.state.fog.color.data(), 3)) +
+                     " = " + tuple(shading.fog->color));
+  }
+}
+
+}  // namespace
+
+void tell_shading(const PixelStory& pixel, const FragmentStory& f, Lines& lines) {
+  tell_corners(f, lines);
+  tell_span(f, pixel.x, lines);
+  for (const IlluminationStory& story : f.illuminations) tell_illumination(story, pixel.lighting, lines);
+  if (f.from_products) tell_illumination(*f.from_products, pixel.lighting, lines);
+  const ShadingTrace& shading = f.trace.shading;
+  lines.add(1, "Colour of the fragment " + tuple(shading.primary) +
+                   (shading.secondary != Color{}
+                        ? ", highlights " + tuple(std::span<const float>(shading.secondary.data(), 3))
+                        : "") +
+                   (shading.primary != shading.lit_primary ? " (clamped to 0..1)" : ""));
+  tell_combination(f, lines);
+}
+
+void tell_fate(const FragmentStory& f, Lines& lines) {
+  const auto& fate = f.trace.fate;
+  if (f.state.alpha_test.enabled) {
+    lines.add(1, "Alpha test: " + number(f.trace.shading.color[3]) + " " +
+                     std::string(sign_of(f.state.alpha_test.compare)) + " " +
+                     number(f.state.alpha_test.reference) + (fate.alpha_passed ? ": passed" : ": failed"));
+  }
+  if (!fate.alpha_passed) return;
+  if (f.state.depth.test) {
+    lines.add(1, "Depth test: z " + number(f.trace.depth) + " " +
+                     std::string(sign_of(f.state.depth.compare)) + " " + number(fate.depth_before) +
+                     (fate.depth_passed ? ": passed" : ": failed") +
+                     (fate.depth_passed && !f.state.depth.write ? ", z is not written" : ""));
+  }
+  if (!fate.depth_passed) return;
+  if (f.state.blend.enabled) {
+    lines.add(1, "Blending (" + std::string(name_of(f.state.blend.equation)) + "): " + tuple(fate.incoming) +
+                     "·" + tuple(fate.source_factor) + ", frame " + tuple(fate.before) + "·" +
+                     tuple(fate.destination_factor) + " = " + tuple(fate.blended));
+  }
+  lines.add(1, "Frame: " + tuple(fate.before) + " becomes " + tuple(fate.after));
+}
+
+}  // namespace barrido::inspect

@@ -1,0 +1,110 @@
+#include "raster/reference/fragment_walk.h"
+
+#include <algorithm>
+
+#include "raster/reference/arithmetic.h"
+#include "raster/reference/level_of_detail.h"
+#include "raster/reference/shading.h"
+
+namespace barrido::raster::reference {
+namespace {
+
+std::vector<Span> spans_of(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, FrameSize frame,
+                           RowRange rows) {
+  switch (chunk.topology) {
+    case Topology::points:
+      return point_spans(primitive, chunk.point_size, frame, rows);
+    case Topology::lines:
+      return line_spans(primitive, chunk.line_width, frame, rows);
+    case Topology::triangles:
+      break;
+  }
+  return triangle_spans(primitive, frame, rows);
+}
+
+/// Whether the triangle's box leaves the window out; a rule of speed alone.
+bool is_beside(const PrimitiveRecord& p, const PixelWindow& window) {
+  const auto misses = [](const std::int32_t(&at)[3], const RowRange& range) {
+    const auto [least, most] = std::minmax({at[0], at[1], at[2]});
+    return (most >> kSubpixelBits) < range.begin || (least >> kSubpixelBits) >= range.end;
+  };
+  return misses(p.x, window.columns) || misses(p.y, window.rows);
+}
+
+/// State, facing and the primitive's own colours. Colours that no varying gives are the flat ones.
+void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, FragmentBatch& batch) {
+  batch.state = chunk.state;
+  batch.back_facing = (primitive.flat_and_facing & kBackFacing) != 0;
+  batch.count = 1;
+  batch.run_count = 1;
+  FlatColors flat{{0, 0, 0, 0}, {0, 0, 0}};
+  const std::uint32_t flat_index = primitive.flat_and_facing & ~kBackFacing;
+  if (flat_index < chunk.flat.size()) flat = chunk.flat[flat_index];
+  for (int c = 0; c < 4; ++c) batch.color[c][0] = flat.color[c];
+  for (int c = 0; c < 3; ++c) batch.specular[c][0] = flat.specular[c];
+}
+
+/// Depth, varyings and levels of detail at pixel x of a span.
+void interpolate_at(const SpanQuantities& along, int x, int y, FragmentBatch& batch) {
+  const VaryingLayout& layout = batch.state->varyings;
+  const auto distance = static_cast<float>(x - along.anchor);
+  batch.runs[0] = {static_cast<std::int16_t>(x % kTileWidth), static_cast<std::int16_t>(y % kTileHeight), 0,
+                   1};
+  batch.depth[0] = clamp_to_unit(along.quantities[kRecordDepth].at(distance));
+  const float q = maximum(along.quantities[kRecordQ].at(distance), 1e-30f);
+  const float w = 1.0f / q;
+  for (int k = 0; k < layout.count; ++k) {
+    const float value = along.quantities[static_cast<std::size_t>(kRecordVaryings + k)].at(distance);
+    batch.varying[k][0] = k < layout.affine_count ? value : value * w;
+  }
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+    batch.lod[unit][0] =
+        is_unit_active(*batch.state, unit) ? level_of_detail(*batch.state, unit, along, x) : 0.0f;
+  }
+}
+
+}  // namespace
+
+void for_each_span(std::span<const PrimitiveChunk* const> chunks, FrameSize frame, const PixelWindow& window,
+                   const std::function<void(const FragmentPlace&)>& visit) {
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    const PrimitiveChunk& chunk = *chunks[c];
+    for (std::size_t i = 0; i < chunk.primitives.size(); ++i) {
+      const PrimitiveRecord& primitive = chunk.primitives[i];
+      if (chunk.topology == Topology::triangles && is_beside(primitive, window)) continue;
+      std::vector<Span> spans = spans_of(chunk, primitive, frame, window.rows);
+      std::erase_if(spans, [&](const Span& span) {
+        return span.end <= window.columns.begin || span.first >= window.columns.end;
+      });
+      if (spans.empty()) continue;
+      const PlaneSet planes = make_planes(chunk, primitive);
+      for (const Span& span : spans) {
+        const SpanQuantities along = quantities_along(planes, span);
+        visit({chunk, c, primitive, i, span, along, span.first, span.y});
+      }
+    }
+  }
+}
+
+void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize frame,
+                       const PixelWindow& window, const std::function<void(const FragmentPlace&)>& visit) {
+  for_each_span(chunks, frame, window, [&](const FragmentPlace& start) {
+    const int end = std::min(start.span.end, window.columns.end);
+    for (int x = std::max(start.span.first, window.columns.begin); x < end; ++x) {
+      visit({start.chunk, start.chunk_number, start.primitive, start.primitive_number, start.span,
+             start.along, x, start.y});
+    }
+  });
+}
+
+void interpolate(const FragmentPlace& place, FragmentBatch& batch) {
+  begin_fragment(place.chunk, place.primitive, batch);
+  interpolate_at(place.along, place.x, place.y, batch);
+}
+
+float interpolated_depth(const FragmentPlace& place) {
+  return clamp_to_unit(
+      place.along.quantities[kRecordDepth].at(static_cast<float>(place.x - place.along.anchor)));
+}
+
+}  // namespace barrido::raster::reference

@@ -1,0 +1,49 @@
+// The way from chunks to fragments: which pixels each primitive covers, in drawing order, and what is
+// interpolated there. Enters chunks; leaves one fragment after the other. Knows nothing of shading and of the
+// frame's contents.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "raster/fragment_batch.h"
+#include "raster/primitive.h"
+#include "raster/reference/planes.h"
+#include "raster/reference/spans.h"
+
+namespace barrido::raster::reference {
+
+/// A fragment before anything is computed for it.
+struct FragmentPlace {
+  const PrimitiveChunk& chunk;
+  std::size_t chunk_number;  ///< In the chunks that are walked.
+  const PrimitiveRecord& primitive;
+  std::size_t primitive_number;  ///< In the chunk.
+  const Span& span;
+  const SpanQuantities& along;
+  int x;
+  int y;
+};
+
+/// Columns and rows [begin, end) that are asked for, in window coordinates.
+struct PixelWindow {
+  RowRange columns;
+  RowRange rows;
+};
+
+/// Calls `visit` for every fragment inside the window, in drawing order; those outside a scissor included.
+void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize frame,
+                       const PixelWindow& window, const std::function<void(const FragmentPlace&)>& visit);
+
+/// The same for spans, each called with its first pixel as the place. Spans are not cut to the window's
+/// columns but touch them.
+void for_each_span(std::span<const PrimitiveChunk* const> chunks, FrameSize frame, const PixelWindow& window,
+                   const std::function<void(const FragmentPlace&)>& visit);
+
+/// A batch of the one fragment: state, facing, flat colours, depth, varyings and levels of detail.
+void interpolate(const FragmentPlace& place, FragmentBatch& batch);
+
+/// The fragment's depth alone; as interpolate() gives it.
+float interpolated_depth(const FragmentPlace& place);
+
+}  // namespace barrido::raster::reference
