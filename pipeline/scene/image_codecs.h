@@ -16,6 +16,18 @@ bool is_jpeg(std::span<const std::uint8_t> bytes);
 
 /// @throws InputError naming `name`.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+/// Pixels at their full precision, for comparisons: straight RGBA in 0..65535, top row first.
+struct Samples16 {
+  int width = 0;
+  int height = 0;
+  int channels = 4;  ///< That the file stores: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+  std::vector<std::uint16_t> rgba;
+};
+
+/// The same without rounding: a sample v of n bits is v·65535/(2^n − 1), which is whole for n = 1, 2, 4, 8.
+/// @throws InputError naming `name`.
+Samples16 decode_png_16(std::span<const std::uint8_t> bytes, const std::string& name,
+                        const ImageLimits& limits);
 /// @throws InputError naming `name`.
 Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
 

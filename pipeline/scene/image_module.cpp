@@ -65,8 +65,31 @@ std::vector<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioRea
     widen(rows.data(), header.channels, width * static_cast<std::size_t>(end - begin), opaque,
           rgba.data() + width * static_cast<std::size_t>(begin) * 4);
   }
+  return rgba;
+}
+
+template <class T>
+std::vector<T> read_straight(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
+                             const BarridoOiioHeader& header, T opaque, const std::string& name) {
+  std::vector<T> rgba = read_pixels<T>(functions, reader, header, opaque, name);
   if (header.associated_alpha != 0) make_straight(rgba, static_cast<float>(opaque));
   return rgba;
+}
+
+/// Opens the file and reads its header, which is checked.
+Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem::path& path,
+                    const FormatTraits& format, const ImageLimits& limits, BarridoOiioHeader& header) {
+  const std::string name = path.string();
+  BarridoOiioError error{};
+  Reader reader(functions.open(path.c_str(), format.openimageio_name, &header, &error), {&functions});
+  if (!reader) {
+    throw InputError(name, "", "damaged " + std::string(format.name) + ": " + error.text);
+  }
+  ImageLimits limits_here = limits;
+  if (header.is_float != 0) limits_here.max_pixels = limits.max_pixels / 2;
+  check_image_size(static_cast<std::uint64_t>(header.width), static_cast<std::uint64_t>(header.height), name,
+                   limits_here);
+  return reader;
 }
 
 }  // namespace
@@ -76,23 +99,31 @@ Picture read_with_module(const std::filesystem::path& path, const FormatTraits& 
   const std::string name = path.string();
   const BarridoOiioFunctions& functions = openimageio_module(name, format, "reading");
   BarridoOiioHeader header{};
-  BarridoOiioError error{};
-  const Reader reader(functions.open(path.c_str(), format.openimageio_name, &header, &error), {&functions});
-  if (!reader) {
-    throw InputError(name, "", "damaged " + std::string(format.name) + ": " + error.text);
-  }
-  ImageLimits limits_here = limits;
-  if (header.is_float != 0) limits_here.max_pixels = limits.max_pixels / 2;
-  check_image_size(static_cast<std::uint64_t>(header.width), static_cast<std::uint64_t>(header.height), name,
-                   limits_here);
+  const Reader reader = open_checked(functions, path, format, limits, header);
   if (header.is_float != 0) {
     FloatImage image{header.width, header.height, {}};
-    image.rgba = read_pixels<float>(functions, reader.get(), header, 1.0f, name);
+    image.rgba = read_straight<float>(functions, reader.get(), header, 1.0f, name);
     return image;
   }
   Image image{name, header.width, header.height, {}};
-  image.rgba = read_pixels<std::uint8_t>(functions, reader.get(), header, 255, name);
+  image.rgba = read_straight<std::uint8_t>(functions, reader.get(), header, 255, name);
   return image;
+}
+
+StoredPicture read_stored_with_module(const std::filesystem::path& path, const FormatTraits& format,
+                                      const ImageLimits& limits) {
+  const std::string name = path.string();
+  const BarridoOiioFunctions& functions = openimageio_module(name, format, "reading");
+  BarridoOiioHeader header{};
+  const Reader reader = open_checked(functions, path, format, limits, header);
+  StoredPicture picture;
+  picture.width = header.width;
+  picture.height = header.height;
+  picture.channels = header.channels;
+  picture.is_linear = header.is_float != 0;
+  picture.is_associated = header.associated_alpha != 0;
+  picture.rgba = read_pixels<float>(functions, reader.get(), header, 1.0f, name);
+  return picture;
 }
 
 void write_with_module(const std::filesystem::path& file, const std::filesystem::path& target,

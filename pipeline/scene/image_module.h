@@ -9,6 +9,7 @@
 
 #include "pipeline/scene/image_format.h"
 #include "pipeline/scene/image_io.h"
+#include "pipeline/scene/stored_picture.h"
 
 namespace barrido::scene {
 
@@ -19,6 +20,10 @@ using Picture = std::variant<Image, FloatImage>;
 /// @throws InputError, also when there is no module.
 Picture read_with_module(const std::filesystem::path& path, const FormatTraits& format,
                          const ImageLimits& limits);
+
+/// Reads the same as StoredPicture. @throws InputError, also when there is no module.
+StoredPicture read_stored_with_module(const std::filesystem::path& path, const FormatTraits& format,
+                                      const ImageLimits& limits);
 
 /// Interleaved pixels ready for a file: 3 or 4 channels, either bytes or floats.
 struct PackedPicture {

@@ -82,6 +82,27 @@ void decode_16_bits(spng_ctx* context, const spng_ihdr& header, const std::strin
   }
 }
 
+/// The header is checked before anything else is read.
+Context open_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits,
+                 spng_ihdr& header) {
+  Context context(spng_ctx_new(0));
+  if (!context) throw InputError(name, "", "not enough memory to decode it");
+  check(spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytes), name);
+  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), name);
+  check(spng_get_ihdr(context.get(), &header), name);
+  check_image_size(header.width, header.height, name, limits);
+  check_plausible(header, bytes.size(), name);
+  return context;
+}
+
+/// Of the colours a file can show: a palette's are three, and a transparent colour is an alpha.
+int stored_channels(spng_ctx* context, const spng_ihdr& header) {
+  spng_trns transparency{};
+  const bool has_transparency = spng_get_trns(context, &transparency) == SPNG_OK;
+  const int channels = header.color_type == SPNG_COLOR_TYPE_INDEXED ? 3 : channel_count(header);
+  return has_transparency ? channels + 1 : channels;
+}
+
 }  // namespace
 
 bool is_png(std::span<const std::uint8_t> bytes) {
@@ -90,15 +111,8 @@ bool is_png(std::span<const std::uint8_t> bytes) {
 }
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {
-  const Context context(spng_ctx_new(0));
-  if (!context) throw InputError(name, "", "not enough memory to decode it");
-  check(spng_set_chunk_limits(context.get(), kMaxChunkBytes, kMaxChunkBytes), name);
-  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), name);
   spng_ihdr header{};
-  check(spng_get_ihdr(context.get(), &header), name);
-  check_image_size(header.width, header.height, name, limits);
-  check_plausible(header, bytes.size(), name);
-
+  const Context context = open_png(bytes, name, limits, header);
   Image image;
   image.name = name;
   image.width = static_cast<int>(header.width);
@@ -112,6 +126,21 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, c
           name);
   }
   return image;
+}
+
+Samples16 decode_png_16(std::span<const std::uint8_t> bytes, const std::string& name,
+                        const ImageLimits& limits) {
+  spng_ihdr header{};
+  const Context context = open_png(bytes, name, limits, header);
+  Samples16 samples;
+  samples.width = static_cast<int>(header.width);
+  samples.height = static_cast<int>(header.height);
+  samples.channels = stored_channels(context.get(), header);
+  samples.rgba.resize(std::size_t{header.width} * header.height * 4);
+  check(spng_decode_image(context.get(), samples.rgba.data(), samples.rgba.size() * sizeof(std::uint16_t),
+                          SPNG_FMT_RGBA16, SPNG_DECODE_TRNS),
+        name);
+  return samples;
 }
 
 }  // namespace barrido::scene

@@ -11,22 +11,53 @@ namespace {
 /// More than any picture within the default limits needs.
 constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1} << 30;
 
-}  // namespace
+/// A regular file's bytes and the format they are in.
+struct Recognized {
+  gltf::Content content;
+  const FormatTraits* format = nullptr;
+};
 
-Picture read_picture(const std::filesystem::path& path, const ImageLimits& limits) {
+Recognized recognize(const std::filesystem::path& path, const ImageLimits& limits) {
   const std::string name = path.string();
-  const gltf::Content content = gltf::read_regular_file(path, kMaxFileBytes);
-  if (!content.problem.empty()) throw InputError(name, "", content.problem);
-  const auto bytes = content.block.bytes();
+  Recognized file{gltf::read_regular_file(path, kMaxFileBytes), nullptr};
+  if (!file.content.problem.empty()) throw InputError(name, "", file.content.problem);
+  const auto bytes = file.content.block.bytes();
   if (bytes.empty()) throw InputError(name, "", "the picture is empty (0 bytes)");
-  const FormatTraits* format = format_by_content(bytes, path);
-  if (format == nullptr || !format->is_read) {
+  file.format = format_by_content(bytes, path);
+  if (file.format == nullptr || !file.format->is_read) {
     throw InputError(name, "",
                      "not a picture in a format that is read (PNG, JPEG, EXR, HDR, TIFF, BMP, TGA)");
   }
-  if (format->openimageio_name == nullptr) return decode_image(bytes, name, limits);
-  check_header(bytes, *format, name, limits);
-  return read_with_module(path, *format, limits);
+  if (file.format->openimageio_name != nullptr) check_header(bytes, *file.format, name, limits);
+  return file;
+}
+
+/// Integers in 0..`most` as fractions.
+template <class T>
+std::vector<float> fractions(const std::vector<T>& values, float most) {
+  std::vector<float> result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) result[i] = static_cast<float>(values[i]) / most;
+  return result;
+}
+
+}  // namespace
+
+Picture read_picture(const std::filesystem::path& path, const ImageLimits& limits) {
+  const Recognized file = recognize(path, limits);
+  if (file.format->openimageio_name != nullptr) return read_with_module(path, *file.format, limits);
+  return decode_image(file.content.block.bytes(), path.string(), limits);
+}
+
+StoredPicture read_stored_picture(const std::filesystem::path& path, const ImageLimits& limits) {
+  const Recognized file = recognize(path, limits);
+  if (file.format->openimageio_name != nullptr) return read_stored_with_module(path, *file.format, limits);
+  const auto bytes = file.content.block.bytes();
+  if (is_png(bytes)) {
+    const Samples16 samples = decode_png_16(bytes, path.string(), limits);
+    return {samples.width, samples.height, samples.channels, false, false, fractions(samples.rgba, 65535.0f)};
+  }
+  const Image image = decode_image(bytes, path.string(), limits);
+  return {image.width, image.height, 3, false, false, fractions(image.rgba, 255.0f)};
 }
 
 Image read_image(const std::filesystem::path& path, const ImageLimits& limits) {

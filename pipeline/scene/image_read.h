@@ -5,11 +5,15 @@
 
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/image_module.h"
+#include "pipeline/scene/stored_picture.h"
 
 namespace barrido::scene {
 
 /// Reads a regular file of any format that is read. Bytes are sRGB as a rule, floats linear.
 /// @throws InputError.
 Picture read_picture(const std::filesystem::path& path, const ImageLimits& limits = {});
+
+/// Reads the same files for comparisons. @throws InputError.
+StoredPicture read_stored_picture(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 }  // namespace barrido::scene

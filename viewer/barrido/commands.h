@@ -1,5 +1,5 @@
-// The commands of the program. Each takes the words after its name and returns the exit status: 0 fine, 2
-// error. All exceptions but those that main names are turned into messages inside.
+// The commands of the program. Each takes the words after its name and returns the exit status: 0 fine, 1
+// pictures differ, 2 error. All exceptions but those that main names are turned into messages inside.
 #pragma once
 
 #include <span>
@@ -8,6 +8,7 @@
 namespace barrido::cli {
 
 inline constexpr int kExitFine = 0;
+inline constexpr int kExitDifferent = 1;
 inline constexpr int kExitError = 2;
 
 /// `barrido render FILE… -o OUT`. @throws UsageError, std::bad_alloc, scene::InputError.
@@ -15,5 +16,8 @@ int run_render(std::span<const std::string> words);
 
 /// `barrido info FILE [--json]`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_info(std::span<const std::string> words);
+
+/// `barrido diff A B`. @throws UsageError, std::bad_alloc, scene::InputError.
+int run_diff(std::span<const std::string> words);
 
 }  // namespace barrido::cli

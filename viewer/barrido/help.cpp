@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/barrido/diff_options.h"
 #include "viewer/barrido/render_options.h"
 #include "viewer/barrido/text_format.h"
 
@@ -21,10 +22,11 @@ constexpr const char* kGeneralHelp =
 Usage:
   barrido render FILE... -o OUT [OPTIONS]    draw glTF models (.gltf, .glb)
   barrido info FILE [--json]                 what a model holds, and how well it will be drawn
+  barrido diff A B [OPTIONS]                 whether two pictures, or two folders of them, are the same
   barrido COMMAND --help                     the options of a command, with examples
   barrido --version
 
-Exit status: 0 fine, 2 error.
+Exit status: 0 fine, 1 pictures differ, 2 error.
 )";
 
 constexpr const char* kRenderUsage =
@@ -54,6 +56,28 @@ constexpr const char* kInfoUsage = R"(Usage: barrido info FILE [--json]
 Tells what a glTF model (.gltf, .glb) holds: scenes, meshes, triangles, materials, textures,
 cameras, lights, animations, bounds; and which of its features are drawn exactly, approximated or
 ignored.
+)";
+
+constexpr const char* kDiffUsage =
+    R"(Usage: barrido diff A B [OPTIONS]
+
+Compares two pictures, or all pictures in two folders by their relative names: A is what is
+expected, B what came out. A picture that only one folder has is a difference. Thresholds and
+figures are those of OpenImageIO's idiff; its spellings (-fail, -hardfail ...) are understood.
+)";
+
+constexpr const char* kDiffNotes = R"(
+Values are compared as the files store them: PNG, JPEG and TIFF of bytes or 16-bit numbers as 0..1,
+EXR and HDR as floats. A picture of the first kind that meets one of the second is taken to linear
+light. A missing alpha is opaque, grey is as much red, green and blue. Pictures of different sizes
+always differ; what one of them lacks counts as 0. Positions are (x, y) from the upper left corner.
+Exit status: 0 same (warnings are printed), 1 different, 2 error.
+
+Examples:
+  barrido diff expected.png actual.png
+  barrido diff golden out --html report --junit report.xml
+  barrido diff a.png b.png --fail 0.004 --failpercent 1 --hardfail 0.1
+  barrido diff a.exr b.exr --failflip 0.01 -o difference.exr
 )";
 
 std::string names_column(const OptionSyntax& option) {
@@ -105,6 +129,8 @@ std::string options_help(std::span<const OptionSyntax> syntax) {
 }
 
 std::string render_help() { return kRenderUsage + options_help(render_syntax()) + kRenderNotes; }
+
+std::string diff_help() { return kDiffUsage + options_help(diff_syntax()) + kDiffNotes; }
 
 std::string info_help() { return kInfoUsage + options_help(info_syntax()); }
 

@@ -1,0 +1,127 @@
+// `barrido diff`: compares pair by pair, holds the pixels of one pair at a time, and writes what was asked
+// for.
+#include <unistd.h>
+
+#include <optional>
+
+#include "pipeline/scene/image_file.h"
+#include "pipeline/scene/image_io.h"
+#include "viewer/barrido/commands.h"
+#include "viewer/barrido/console.h"
+#include "viewer/barrido/diff_options.h"
+#include "viewer/barrido/help.h"
+#include "viewer/barrido/standard_streams.h"
+#include "viewer/compare/figures_text.h"
+#include "viewer/compare/html_report.h"
+#include "viewer/compare/json_report.h"
+#include "viewer/compare/junit_report.h"
+
+namespace barrido::cli {
+namespace {
+
+using compare::ComparedPair;
+using compare::Outcome;
+using compare::Result;
+
+class DiffCall {
+ public:
+  DiffCall(const DiffOptions& options, Console& console) : options_(options), console_(console) {}
+
+  int run() {
+    const std::vector<compare::Pair> pairs = compare::find_pairs(options_.expected, options_.actual);
+    const bool folders = std::filesystem::is_directory(options_.expected);
+    if (folders && !options_.output.empty()) {
+      throw UsageError("--output: only for two pictures; of folders, --html shows the differences");
+    }
+    if (!options_.html.empty()) html_.emplace(options_.html);
+    run_ = {options_.expected, options_.actual, options_.settings, {}};
+    for (const compare::Pair& pair : pairs) {
+      console_.set_progress("comparing " + pair.name + " (" + std::to_string(run_.results.size() + 1) +
+                            " of " + std::to_string(pairs.size()) + ")");
+      add(compare::compare_pair(pair, options_.settings));
+    }
+    console_.end_progress();
+    if (folders) print(compare::totals_text(compare::totals_of(run_)) + "\n");
+    write_reports();
+    return status();
+  }
+
+ private:
+  void add(const ComparedPair& compared) {
+    const Result& result = compared.result;
+    if (result.outcome == Outcome::error) {
+      console_.error(result.note);
+    } else if (std::filesystem::is_directory(options_.expected)) {
+      if (result.outcome != Outcome::same) print(result.pair.name + ": " + compare::headline(result) + "\n");
+    } else {
+      print_pair(result);
+      if (!options_.output.empty()) write_difference(compared);
+    }
+    if (html_) html_->add(compared);
+    run_.results.push_back(result);
+  }
+
+  /// As idiff, whose users look for these words.
+  void print_pair(const Result& result) {
+    std::string text = "Comparing \"" + options_.expected + "\" and \"" + options_.actual + "\"\n";
+    const bool equal = result.figures && result.figures->max == 0.0;
+    if (!equal || !result.note.empty()) text += compare::figures_text(result, options_.settings.thresholds);
+    const bool failed = result.outcome == Outcome::different;
+    text += failed ? "FAILURE\n" : result.outcome == Outcome::warning ? "WARNING\n" : "PASS\n";
+    print(text);
+  }
+
+  void write_difference(const ComparedPair& compared) {
+    const auto picture = compare::difference_picture(compared.expected, compared.actual, options_.difference);
+    scene::write_image(options_.output, {picture.width, picture.height, picture.rgba8, picture.rgba_float});
+  }
+
+  void write_reports() {
+    if (html_) html_->write(run_);
+    if (!options_.json.empty()) write_text(options_.json, compare::json_report(run_));
+    if (!options_.junit.empty()) write_text(options_.junit, compare::junit_report(run_));
+  }
+
+  void write_text(const std::string& path, const std::string& text) {
+    if (path == "-") {
+      console_.print(kStandardOutput, text);
+    } else {
+      scene::write_file(path, bytes_of(text));
+    }
+  }
+
+  /// What people read gives way to a report on standard output.
+  void print(const std::string& text) {
+    if (options_.quiet) return;
+    const bool report_on_output = options_.json == "-" || options_.junit == "-";
+    console_.print(report_on_output ? kStandardError : kStandardOutput, text);
+  }
+
+  int status() const {
+    const compare::Totals totals = compare::totals_of(run_);
+    if (totals[Outcome::error] > 0) return kExitError;
+    return totals.failed() > 0 ? kExitDifferent : kExitFine;
+  }
+
+  const DiffOptions& options_;
+  Console& console_;
+  compare::Run run_;
+  std::optional<compare::HtmlReport> html_;
+};
+
+}  // namespace
+
+int run_diff(std::span<const std::string> words) {
+  const DiffOptions options = parse_diff_options(words);
+  if (options.help) {
+    write_standard_output(bytes_of(diff_help()));
+    return kExitFine;
+  }
+  ConsoleOptions console_options;
+  console_options.quiet = options.quiet;
+  console_options.is_terminal = isatty(kStandardError) == 1;
+  Console console(console_options);
+  return DiffCall(options, console).run();
+}
+
+}  // namespace barrido::cli

@@ -1,0 +1,392 @@
+"use strict";
+// The report's behaviour. The table stands in the page already; pictures lie in it as base64 text and are decoded
+// when their pair is chosen.
+(() => {
+  const pairs = JSON.parse(document.getElementById("data").textContent);
+  const one = (selector) => document.querySelector(selector);
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const kKinds = ["expected", "actual", "difference", "flip"];
+  const kLensWidth = 19, kLensHeight = 13;  // Pixels around the one looked at; odd, so that it is in the middle.
+  const rows = all("tr[data-pair]");
+  const stage = one(".stage"), scroller = one(".scroller"), gallery = one(".gallery"), handle = one(".handle");
+
+  let pair = null;      // The one shown.
+  let pictures = {};    // Of the pair, by kind: {url, bitmap, pixels}.
+  let mode = "all";
+  let zoom = 0;         // Screen pixels for one of the picture; 0 fits.
+  let split = 0.5;
+  let side = "expected";  // Of blinking.
+  let blinker = 0;
+  let spot = {x: 0, y: 0};
+
+  // ---- pictures
+
+  function bytesOf(id) {
+    const text = atob(document.getElementById(id).textContent);
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+    return bytes;
+  }
+
+  function release() {
+    for (const kind of Object.keys(pictures)) URL.revokeObjectURL(pictures[kind].url);
+    pictures = {};
+  }
+
+  async function decode(chosen) {
+    const decoded = {};
+    for (const kind of kKinds) {
+      if (!chosen.pictures[kind]) continue;
+      const blob = new Blob([bytesOf(chosen.pictures[kind])], {type: "image/png"});
+      const bitmap = await createImageBitmap(blob);
+      decoded[kind] = {url: URL.createObjectURL(blob), bitmap, width: bitmap.width, height: bitmap.height};
+    }
+    return decoded;
+  }
+
+  function pixelOf(kind, x, y) {
+    const picture = pictures[kind];
+    if (!picture || x >= picture.width || y >= picture.height) return null;
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 1;
+    const context = canvas.getContext("2d", {willReadFrequently: true});
+    context.drawImage(picture.bitmap, -x, -y);
+    return [...context.getImageData(0, 0, 1, 1).data];
+  }
+
+  // ---- choosing a pair
+
+  async function choose(index, focus) {
+    const chosen = pairs[index];
+    if (!chosen || chosen === pair) return;
+    pair = chosen;
+    rows.forEach((row) => {
+      const selected = Number(row.dataset.pair) === index;
+      row.setAttribute("aria-selected", selected);
+      row.tabIndex = selected ? 0 : -1;
+      if (selected && focus) row.focus();
+      if (selected) row.scrollIntoView({block: "nearest"});
+    });
+    history.replaceState(null, "", "#" + encodeURIComponent(chosen.name));
+    const decoded = await decode(chosen);
+    if (pair !== chosen) return;  // Another was chosen meanwhile.
+    release();
+    pictures = decoded;
+    spot = chosen.worst ? {x: chosen.worst.x, y: chosen.worst.y} : {x: 0, y: 0};
+    split = 0.5;
+    side = "expected";
+    showPair();
+  }
+
+  function showPair() {
+    one("#name").textContent = pair.name;
+    one("#facts").textContent = pair.facts;
+    one(".note").textContent = pair.note;
+    one(".note").hidden = !pair.note;
+    const any = Object.keys(pictures).length > 0;
+    const both = pictures.expected && pictures.actual;
+    one(".bar.tools").hidden = one(".work").hidden = !any;
+    one(".empty").hidden = any;
+    one(".empty").textContent = pair.outcome === "error" ? "No picture to show." :
+        "Nothing differs; pictures that are the same are not kept in the report.";
+    all("button[data-mode]").forEach((button) => {
+      const kind = button.dataset.mode;
+      button.hidden = kKinds.includes(kind) ? !pictures[kind] : kind !== "all" && !both;
+    });
+    const figures = one(".figures");
+    figures.replaceChildren();
+    for (const [term, value] of pair.figures) {
+      figures.append(Object.assign(document.createElement("dt"), {textContent: term}),
+                     Object.assign(document.createElement("dd"), {textContent: value}));
+    }
+    buildGallery();
+    const button = one(`button[data-mode="${mode}"]`);
+    setMode(button && !button.hidden ? mode : "all");
+  }
+
+  const size = () => ({
+    width: Math.max(1, ...Object.values(pictures).map((picture) => picture.width)),
+    height: Math.max(1, ...Object.values(pictures).map((picture) => picture.height)),
+  });
+
+  const captions = () => ({
+    expected: "expected", actual: "actual", difference: `difference × ${pair.amplification}`,
+    flip: "FLIP: what a person sees of it",
+  });
+
+  function buildGallery() {
+    gallery.replaceChildren();
+    const whole = size();
+    for (const kind of kKinds) {
+      const picture = pictures[kind];
+      if (!picture) continue;
+      const figure = document.createElement("figure");
+      const frame = document.createElement("div");
+      const image = document.createElement("img");
+      frame.className = "frame";
+      frame.style.aspectRatio = `${whole.width} / ${whole.height}`;
+      image.className = "layer";
+      image.src = picture.url;
+      image.alt = `${captions()[kind]} of ${pair.name}`;
+      image.style.width = `${100 * picture.width / whole.width}%`;
+      image.style.height = `${100 * picture.height / whole.height}%`;
+      const marker = Object.assign(document.createElement("div"), {className: "marker"});
+      frame.append(image, marker);
+      const caption = document.createElement("figcaption");
+      caption.textContent = captions()[kind];
+      figure.append(caption, frame);
+      gallery.append(figure);
+      frame.addEventListener("pointermove", (event) => pointAt(event, frame));
+    }
+  }
+
+  // ---- how it is shown
+
+  function setMode(next) {
+    mode = next;
+    all("button[data-mode]").forEach((b) => b.setAttribute("aria-pressed", b.dataset.mode === mode));
+    gallery.hidden = mode !== "all";
+    stage.hidden = mode === "all";
+    one(".zoom").hidden = mode === "all";
+    one(".blinking").hidden = mode !== "blink";
+    if (mode !== "blink") stopBlinking();
+    draw();
+  }
+
+  function visibleKinds() {
+    if (mode === "slider") return ["actual", "expected"];
+    return mode === "blink" ? [side] : [mode];
+  }
+
+  function scale() {
+    if (zoom > 0) return zoom;
+    const whole = size();
+    const room = Math.min((scroller.clientWidth - 32) / whole.width, (scroller.clientHeight - 32) / whole.height);
+    return room >= 1 ? Math.floor(room) : room;
+  }
+
+  /// Lays out the stage: layers, handle, labels, marker.
+  function draw() {
+    const whole = size(), factor = scale();
+    stage.style.width = `${whole.width * factor}px`;
+    stage.style.height = `${whole.height * factor}px`;
+    one("#zoom").textContent = `${Math.round(factor * 100)} %`;
+    if (mode !== "all") drawLayers(factor);
+    handle.hidden = mode !== "slider";
+    handle.style.left = `${split * 100}%`;
+    handle.setAttribute("aria-valuenow", Math.round(split * 100));
+    const left = one(".tag.left"), right = one(".tag.right");
+    left.textContent = mode === "slider" ? "expected" : captions()[visibleKinds()[0]];
+    right.hidden = mode !== "slider";
+    drawMarkers();
+    drawLens();
+  }
+
+  function drawLayers(factor) {
+    const wanted = visibleKinds().filter((kind) => pictures[kind]);
+    const layers = wanted.map((kind) => {
+      const image = stage.querySelector(`img[data-kind="${kind}"]`) || document.createElement("img");
+      const picture = pictures[kind];
+      if (image.src !== picture.url) image.src = picture.url;
+      image.className = "layer backed";
+      image.dataset.kind = kind;
+      image.alt = `${kind} of ${pair.name}`;
+      image.style.width = `${picture.width * factor}px`;
+      image.style.height = `${picture.height * factor}px`;
+      const hidden = size().width * factor * (1 - split) - (size().width - picture.width) * factor;
+      image.style.clipPath = mode === "slider" && kind === "expected" ? `inset(0 ${Math.max(0, hidden)}px 0 0)` : "";
+      return image;
+    });
+    stage.querySelectorAll("img").forEach((image) => layers.includes(image) || image.remove());
+    stage.prepend(...layers);
+  }
+
+  function setSplit(value) {
+    split = Math.min(1, Math.max(0, value));
+    draw();
+  }
+
+  function swapSides() {
+    side = side === "expected" ? "actual" : "expected";
+    draw();
+  }
+
+  function stopBlinking() {
+    clearInterval(blinker);
+    blinker = 0;
+    one("#auto").setAttribute("aria-pressed", "false");
+  }
+
+  function toggleBlinking() {
+    if (blinker) return stopBlinking();
+    blinker = setInterval(swapSides, 500);
+    one("#auto").setAttribute("aria-pressed", "true");
+  }
+
+  function setZoom(next) {
+    zoom = next;
+    draw();
+    if (zoom > 0) showSpot();
+  }
+
+  function zoomBy(direction) {
+    const steps = [0.125, 0.25, 0.5, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
+    const now = scale();
+    const next = direction > 0 ? steps.find((s) => s > now * 1.001) : steps.filter((s) => s < now * 0.999).pop();
+    if (next) setZoom(next);
+  }
+
+  function showSpot() {
+    const factor = scale();
+    scroller.scrollTo(stage.offsetLeft + spot.x * factor - scroller.clientWidth / 2,
+                      stage.offsetTop + spot.y * factor - scroller.clientHeight / 2);
+  }
+
+  // ---- the lens
+
+  function drawMarkers() {
+    const whole = size();
+    for (const marker of all(".marker")) {
+      // At least so large that it can be seen; the pixel is its middle.
+      const box = marker.parentElement, pixel = box.clientWidth / whole.width, edge = Math.max(pixel, 7);
+      marker.style.width = marker.style.height = `${edge}px`;
+      marker.style.left = `${(spot.x + 0.5) * pixel - edge / 2}px`;
+      marker.style.top = `${(spot.y + 0.5) * pixel - edge / 2}px`;
+    }
+  }
+
+  function drawLens() {
+    one("#spot").textContent = `(${spot.x}, ${spot.y})`;
+    for (const kind of kKinds) {
+      const figure = one(`.lens figure[data-kind="${kind}"]`);
+      const picture = pictures[kind];
+      figure.hidden = !picture;
+      if (!picture) continue;
+      figure.querySelector("figcaption").textContent = captions()[kind].split(":")[0];
+      const canvas = figure.querySelector("canvas"), pixel = 11;
+      canvas.width = kLensWidth * pixel;
+      canvas.height = kLensHeight * pixel;
+      const context = canvas.getContext("2d");
+      context.imageSmoothingEnabled = false;
+      const left = spot.x - (kLensWidth - 1) / 2, top = spot.y - (kLensHeight - 1) / 2;
+      context.drawImage(picture.bitmap, left, top, kLensWidth, kLensHeight, 0, 0, canvas.width, canvas.height);
+      context.lineWidth = 1;
+      const x = (kLensWidth - 1) / 2 * pixel, y = (kLensHeight - 1) / 2 * pixel;
+      context.strokeStyle = "#000";
+      context.strokeRect(x - 1.5, y - 1.5, pixel + 3, pixel + 3);
+      context.strokeStyle = "#fff";
+      context.strokeRect(x - 0.5, y - 0.5, pixel + 1, pixel + 1);
+    }
+    drawValues();
+  }
+
+  function drawValues() {
+    const worst = pair.worst && pair.worst.x === spot.x && pair.worst.y === spot.y;
+    const shown = (kind) => pixelOf(kind, spot.x, spot.y);
+    const exact = worst ? {expected: pair.worst.expected, actual: pair.worst.actual} : null;
+    one("#which").textContent = worst ? "the greatest difference" : "";
+    for (const kind of ["expected", "actual"]) {
+      const cells = one(`.values tr[data-kind="${kind}"]`).querySelectorAll("td");
+      const bytes = shown(kind);
+      cells.forEach((cell, c) => { cell.textContent = bytes ? bytes[c] : "–"; });
+    }
+    one("#exact").textContent = exact ? `stored: ${exact.expected} against ${exact.actual}` : "bytes as shown, 0–255";
+  }
+
+  function moveTo(x, y) {
+    const whole = size();
+    spot = {x: Math.min(whole.width - 1, Math.max(0, x)), y: Math.min(whole.height - 1, Math.max(0, y))};
+    drawMarkers();
+    drawLens();
+  }
+
+  function pointAt(event, box) {
+    const bounds = box.getBoundingClientRect(), whole = size();
+    moveTo(Math.floor((event.clientX - bounds.left) / bounds.width * whole.width),
+           Math.floor((event.clientY - bounds.top) / bounds.height * whole.height));
+  }
+
+  function goToWorst() {
+    if (!pair || !pair.worst) return;
+    moveTo(pair.worst.x, pair.worst.y);
+    if (mode !== "all") {
+      if (scale() < 8) setZoom(8);
+      showSpot();
+    }
+  }
+
+  // ---- what people do
+
+  handle.addEventListener("pointerdown", (event) => handle.setPointerCapture(event.pointerId));
+  handle.addEventListener("pointermove", (event) => {
+    if (!handle.hasPointerCapture(event.pointerId)) return;
+    const bounds = stage.getBoundingClientRect();
+    setSplit((event.clientX - bounds.left) / bounds.width);
+  });
+  stage.addEventListener("pointermove", (event) => event.buttons || pointAt(event, stage));
+  rows.forEach((row) => row.addEventListener("click", () => choose(Number(row.dataset.pair))));
+  all("button[data-mode]").forEach((b) => b.addEventListener("click", () => setMode(b.dataset.mode)));
+  one("#swap").addEventListener("click", swapSides);
+  one("#auto").addEventListener("click", toggleBlinking);
+  one("#fit").addEventListener("click", () => setZoom(0));
+  one("#in").addEventListener("click", () => zoomBy(1));
+  one("#out").addEventListener("click", () => zoomBy(-1));
+  one("#worst").addEventListener("click", goToWorst);
+  new ResizeObserver(() => pair && draw()).observe(scroller);
+
+  const shownRows = () => rows.filter((row) => !row.hidden);
+  function step(direction) {
+    const visible = shownRows();
+    const index = visible.findIndex((row) => row.getAttribute("aria-selected") === "true");
+    const next = visible[Math.min(visible.length - 1, Math.max(0, index + direction))];
+    if (next) choose(Number(next.dataset.pair), true);
+  }
+
+  const kModes = ["all", "slider", "blink", "difference", "flip"];
+  const keys = {
+    j: () => step(1), k: () => step(-1),
+    b: () => { mode === "blink" ? swapSides() : pictures.expected && pictures.actual && setMode("blink"); },
+    a: () => mode === "blink" && toggleBlinking(),
+    w: goToWorst, "+": () => zoomBy(1), "=": () => zoomBy(1), "-": () => zoomBy(-1), 0: () => setZoom(0),
+  };
+  kModes.forEach((name, i) => {
+    keys[i + 1] = () => { if (!one(`button[data-mode="${name}"]`).hidden) setMode(name); };
+  });
+
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === "INPUT") return;
+    const arrow = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    if (arrow && event.target === handle) {
+      setSplit(split + (arrow[0] - arrow[1]) * (event.shiftKey ? 0.1 : 0.01));
+    } else if (arrow && event.target.matches("tr[data-pair]")) {
+      if (arrow[1]) step(arrow[1]);
+    } else if (arrow && pair) {
+      moveTo(spot.x + arrow[0] * (event.shiftKey ? 10 : 1), spot.y + arrow[1] * (event.shiftKey ? 10 : 1));
+    } else if (event.key === " " && mode === "blink" && event.target.tagName !== "BUTTON") {
+      swapSides();
+    } else if (keys[event.key]) {
+      keys[event.key]();
+    } else {
+      return;
+    }
+    event.preventDefault();
+  });
+
+  function filter() {
+    const text = one("#search").value.toLowerCase();
+    const wanted = new Set(all(".filters button[aria-pressed='true']").map((b) => b.dataset.outcome));
+    for (const row of rows) {
+      const {name, outcome} = pairs[Number(row.dataset.pair)];
+      row.hidden = (wanted.size > 0 && !wanted.has(outcome)) || !name.toLowerCase().includes(text);
+    }
+  }
+  one("#search").addEventListener("input", filter);
+  all(".filters button").forEach((button) => button.addEventListener("click", () => {
+    button.setAttribute("aria-pressed", button.getAttribute("aria-pressed") !== "true");
+    filter();
+  }));
+
+  const asked = decodeURIComponent(location.hash.slice(1));
+  const first = Math.max(0, pairs.findIndex((candidate) => candidate.name === asked));
+  choose(first);
+})();
