@@ -22,7 +22,7 @@ constexpr const char* kGeneralHelp =
 Usage:
   barrido render FILE... -o OUT [OPTIONS]    draw glTF models (.gltf, .glb)
   barrido info FILE [--json]                 what a model holds, and how well it will be drawn
-  barrido diff A B [OPTIONS]                 whether two pictures, or two folders of them, are the same
+  barrido diff A B [OPTIONS]                 whether two pictures, or two folders, are the same
   barrido COMMAND --help                     the options of a command, with examples
   barrido --version
 
