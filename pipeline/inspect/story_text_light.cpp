@@ -6,7 +6,9 @@ namespace {
 
 /// "name       " of a light, so that the lines of its shares stand in columns.
 std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
+  std::size_t characters = 0;
+  for (const char byte : text) characters += (static_cast<unsigned char>(byte) & 0xc0u) != 0x80u;
+  text.append(characters < width ? width - characters : 1, ' ');
   return text;
 }
 
@@ -46,19 +48,22 @@ void tell_light(const LightStory& light, const IlluminationStory& story, const s
 
 }  // namespace
 
-void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, Lines& lines) {
+void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, bool first,
+                       Lines& lines) {
   const std::string highlight = model == pipeline::SpecularModel::blinn ? "N·H" : "R·V";
   lines.add(1, "Illumination at the " + story.place +
                    (story.back_side ? " (back side: N is turned round)" : "") + ":");
-  tell_formula(story, highlight, lines);
+  if (first) tell_formula(story, highlight, lines);
   if (!story.interpolated_products) {
     lines.add(2, "N = " + tuple(story.normal) + ", V = " + tuple(story.to_viewer) +
                      ", P = " + tuple(story.position) + " (eye space)");
   }
-  lines.add(2, "kd = " + tuple(story.k_diffuse) + ", ks = " + tuple(story.k_specular) +
-                   ", n = " + number(story.shininess));
-  lines.add(2, "ka = " + tuple(story.k_ambient) + ", Ia = " + tuple(story.ambient_light) +
-                   ", ke = " + tuple(story.emission));
+  if (first) {
+    lines.add(2, "kd = " + tuple(story.k_diffuse) + ", ks = " + tuple(story.k_specular) +
+                     ", n = " + number(story.shininess));
+    lines.add(2, "ka = " + tuple(story.k_ambient) + ", Ia = " + tuple(story.ambient_light) +
+                     ", ke = " + tuple(story.emission));
+  }
   lines.add(2, padded("ke + ka·Ia", 46) + "= " + tuple(story.base));
   if (!is_zero(story.interpolated_ambient)) {
     lines.add(2, padded("[ambient of lights that weaken]", 46) + "= " + tuple(story.interpolated_ambient));

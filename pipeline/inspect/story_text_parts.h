@@ -23,8 +23,10 @@ class Lines {
 /// "triangle 12 of mesh 0 'teapot'[0], node 3 'pot', material 1 'glaze'".
 std::string source_words(const FragmentStory& fragment);
 
-/// One evaluation of the model, as the formula and with numbers.
-void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, Lines& lines);
+/// One evaluation of the model, as the formula and with numbers. `first`: not told before for this surface,
+/// so that formula and material are of interest.
+void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, bool first,
+                       Lines& lines);
 
 /// Where the fragment's colour comes from: corners, span, illumination, textures, fog.
 void tell_shading(const PixelStory& pixel, const FragmentStory& fragment, Lines& lines);

@@ -60,6 +60,18 @@ void tell_span(const FragmentStory& f, int x, Lines& lines) {
   tell("eye position", layout.eye_position, 3);
 }
 
+/// Gouraud's sum over the corners.
+void tell_gouraud(const FragmentStory& f, Lines& lines) {
+  if (f.corners.empty() || !f.corners[0].lit || f.state.varyings.color == kAbsent) return;
+  const bool on_screen = f.state.varyings.color < f.state.varyings.affine_count;
+  if (f.clipped && on_screen) return;
+  std::string sum;
+  for (const CornerStory& c : f.corners) {
+    sum += (sum.empty() ? "" : " + ") + number(on_screen ? c.screen_weight : c.weight) + "·" + tuple(*c.lit);
+  }
+  lines.add(1, "Interpolated: " + sum);
+}
+
 std::string texture_words(const UnitTrace& unit, const TextureStory& texture,
                           const raster::TextureUnit& state) {
   std::string words = "Texture unit " + std::to_string(unit.unit) + ", " + texture.role;
@@ -178,8 +190,11 @@ void tell_combination(const FragmentStory& f, Lines& lines) {
 void tell_shading(const PixelStory& pixel, const FragmentStory& f, Lines& lines) {
   tell_corners(f, lines);
   tell_span(f, pixel.x, lines);
-  for (const IlluminationStory& story : f.illuminations) tell_illumination(story, pixel.lighting, lines);
-  if (f.from_products) tell_illumination(*f.from_products, pixel.lighting, lines);
+  for (const IlluminationStory& story : f.illuminations) {
+    tell_illumination(story, pixel.lighting, &story == f.illuminations.data(), lines);
+  }
+  if (f.from_products) tell_illumination(*f.from_products, pixel.lighting, true, lines);
+  tell_gouraud(f, lines);
   const ShadingTrace& shading = f.trace.shading;
   lines.add(1, "Colour of the fragment " + tuple(shading.primary) +
                    (shading.secondary != Color{}

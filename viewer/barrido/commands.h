@@ -14,6 +14,9 @@ inline constexpr int kExitError = 2;
 /// `barrido render FILE… -o OUT`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_render(std::span<const std::string> words);
 
+/// `barrido inspect FILE --pixel X,Y`. @throws UsageError, std::bad_alloc, scene::InputError.
+int run_inspect(std::span<const std::string> words);
+
 /// `barrido info FILE [--json]`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_info(std::span<const std::string> words);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viewer/barrido/diff_options.h"
+#include "viewer/barrido/inspect_options.h"
 #include "viewer/barrido/render_options.h"
 #include "viewer/barrido/text_format.h"
 
@@ -21,6 +22,7 @@ constexpr const char* kGeneralHelp =
 
 Usage:
   barrido render FILE... -o OUT [OPTIONS]    draw glTF models (.gltf, .glb)
+  barrido inspect FILE --pixel X,Y [OPTIONS] why a pixel has its colour, number by number
   barrido info FILE [--json]                 what a model holds, and how well it will be drawn
   barrido diff A B [OPTIONS]                 whether two pictures, or two folders, are the same
   barrido COMMAND --help                     the options of a command, with examples
@@ -49,6 +51,23 @@ Examples:
   barrido render room.glb -o room.png --light key --light point:pos=0,2,0:attenuation=1,0,0.1
   barrido render teapot.glb -o - --background 1,1,1 | display -
   barrido render teapot.glb --shading all --hash --stats
+)";
+
+constexpr const char* kInspectUsage =
+    R"(Usage: barrido inspect FILE --pixel X,Y [OPTIONS]
+
+Tells why a pixel of the frame that `barrido render FILE` draws with the same options has its colour:
+every triangle that covers it and which of them is seen, the illumination formula with its numbers,
+texels and their weights, fog, blending, and the steps to 8 bits. What it adds up is the pixel, bit for
+bit.
+)";
+
+constexpr const char* kInspectNotes = R"(
+Exit status: 0 fine, 2 error.
+
+Examples:
+  barrido inspect teapot.glb --pixel 640,360
+  barrido inspect teapot.glb --pixel 320,240 --resolution 640,480 --shading gouraud --json
 )";
 
 constexpr const char* kInfoUsage = R"(Usage: barrido info FILE [--json]
@@ -131,6 +150,8 @@ std::string options_help(std::span<const OptionSyntax> syntax) {
 std::string render_help() { return kRenderUsage + options_help(render_syntax()) + kRenderNotes; }
 
 std::string diff_help() { return kDiffUsage + options_help(diff_syntax()) + kDiffNotes; }
+
+std::string inspect_help() { return kInspectUsage + options_help(inspect_syntax()) + kInspectNotes; }
 
 std::string info_help() { return kInfoUsage + options_help(info_syntax()); }
 

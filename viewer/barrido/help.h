@@ -11,6 +11,7 @@ namespace barrido::cli {
 std::string version_text();  ///< "barrido 0.1.0\n"
 std::string general_help();
 std::string render_help();
+std::string inspect_help();
 std::string info_help();
 std::string diff_help();
 

@@ -8,24 +8,17 @@
 #include <new>
 #include <set>
 
-#include "pipeline/scene/environment.h"
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "raster/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/frame_output.h"
+#include "viewer/barrido/frame_settings.h"
 #include "viewer/barrido/stopwatch.h"
 
 namespace barrido::cli {
 namespace {
-
-/// Fog without a colour of its own and without --background: the renderer's dark grey background.
-constexpr std::array<float, 3> kFogColorShown{0.2f, 0.2f, 0.2f};
-
-/// What the renderer looks at; pictures for other uses need not be decoded.
-constexpr unsigned kDrawnImages =
-    scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kEmissiveImage;
 
 int thread_count() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
@@ -74,35 +67,16 @@ int RenderCall::run() {
   return all_fine ? kExitFine : kExitError;
 }
 
-/// Colours are passed as they are to be seen: the renderer undoes its own display transform.
 void RenderCall::resolve_settings() {
+  settings_ = resolved_settings(options_);
   settings_.keep_float = !options_.sheet && holds_floats(options_.output);
-  if (options_.background_shown) {
-    const auto& [red, green, blue, alpha] = *options_.background_shown;
-    settings_.background_color = glm::vec4(red, green, blue, alpha);
-  }
-  if (!options_.fog) return;
-  std::array<float, 3> shown = kFogColorShown;
-  if (options_.background_shown) std::copy_n(options_.background_shown->begin(), 3, shown.begin());
-  shown = options_.fog->color_shown.value_or(shown);
-  settings_.fog = options_.fog->state;
-  settings_.fog->color = {shown[0], shown[1], shown[2], 1.0f};
 }
 
 void RenderCall::load_environment() {
   if (options_.environment_path.empty()) return;
   console_.set_progress("loading " + options_.environment_path);
   const Stopwatch watch;
-  const bool srgb = settings_.color_management == scene::ColorManagement::srgb;
-  const scene::CubeMapImage image = scene::read_environment(options_.environment_path);
-  raster::TextureOptions texture_options;
-  texture_options.encoding = srgb ? raster::Encoding::srgb : raster::Encoding::linear;
-  std::array<raster::Pixels8, raster::kCubeFaces> faces;
-  for (std::size_t face = 0; face < faces.size(); ++face) {
-    faces[face] = {image.size, image.size, image.faces_rgba[face]};
-  }
-  settings_.environment =
-      std::make_shared<const raster::Texture>(raster::Texture::make_cube(faces, texture_options));
+  settings_.environment = cli::load_environment(options_);
   report_.environment_ms = watch.milliseconds();
 }
 

@@ -9,22 +9,22 @@ namespace {
 /// Which options were given, for rules that a default value cannot tell.
 class Given {
  public:
-  explicit Given(const Arguments& arguments) : arguments_(arguments) {}
+  Given(const Arguments& arguments, std::span<const RenderOption> table)
+      : arguments_(arguments), table_(table) {}
 
   bool operator()(std::string_view name) const {
-    const auto table = render_option_table();
     for (const GivenOption& given : arguments_.options) {
-      if (table[given.index].syntax.name == name) return true;
+      if (table_[given.index].syntax.name == name) return true;
     }
     return false;
   }
 
  private:
   const Arguments& arguments_;
+  std::span<const RenderOption> table_;
 };
 
-void apply(RenderOptions& options, const GivenOption& given) {
-  const RenderOption& option = render_option_table()[given.index];
+void apply(RenderOptions& options, const RenderOption& option, const GivenOption& given) {
   try {
     option.apply(options, given.value);
   } catch (const ValueError& error) {
@@ -64,13 +64,12 @@ void check_combinations(const Given& given) {
   }
 }
 
-void check(const RenderOptions& options, const Given& given) {
-  if (options.files.empty()) throw UsageError("render: no FILE given; see barrido render --help");
-  for (const std::string& file : options.files) {
-    if (file.empty()) throw UsageError("render: a FILE with an empty name");
+void check_frame(const RenderOptions& options, const Given& given, const std::string& command) {
+  if (options.files.empty()) {
+    throw UsageError(command + ": no FILE given; see barrido " + command + " --help");
   }
-  if (!given("--output") && !options.hash && options.stats == StatsFormat::none) {
-    throw UsageError("render: no output given; say -o OUT (or only --hash or --stats)");
+  for (const std::string& file : options.files) {
+    if (file.empty()) throw UsageError(command + ": a FILE with an empty name");
   }
   check_combinations(given);
   if (options.settings.background == scene::Background::environment && options.environment_path.empty()) {
@@ -92,18 +91,29 @@ void check_output(const RenderOptions& options) {
 
 }  // namespace
 
-RenderOptions parse_render_options(std::span<const std::string> words) {
-  const Arguments arguments = parse_arguments(render_syntax(), words);
-  const Given given(arguments);
+RenderOptions read_frame_options(const Arguments& arguments, std::span<const RenderOption> table,
+                                 const std::string& command) {
+  const Given given(arguments, table);
   RenderOptions options;
   options.help = given("--help");
   if (options.help) return options;
-  for (const GivenOption& option : arguments.options) apply(options, option);
+  for (const GivenOption& option : arguments.options) apply(options, table[option.index], option);
   options.files = arguments.files;
-  check(options, given);
-  if (given("--output")) check_output(options);
+  check_frame(options, given, command);
   scene::CameraChoice& camera = options.settings.camera;
   if (camera.position || camera.focal_point) camera.ignore_file_cameras = true;
+  return options;
+}
+
+RenderOptions parse_render_options(std::span<const std::string> words) {
+  const Arguments arguments = parse_arguments(render_syntax(), words);
+  const RenderOptions options = read_frame_options(arguments, render_option_table(), "render");
+  if (options.help) return options;
+  const Given given(arguments, render_option_table());
+  if (!given("--output") && !options.hash && options.stats == StatsFormat::none) {
+    throw UsageError("render: no output given; say -o OUT (or only --hash or --stats)");
+  }
+  if (given("--output")) check_output(options);
   return options;
 }
 

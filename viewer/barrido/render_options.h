@@ -23,6 +23,8 @@ struct FrameRange {
   int last = 0;
 };
 
+struct RenderOption;
+
 struct RenderOptions {
   bool help = false;  ///< Nothing else is looked at.
   std::vector<std::string> files;
@@ -56,6 +58,11 @@ struct RenderOptions {
 
 /// The syntax of `barrido render`, for the parser and the help.
 std::span<const OptionSyntax> render_syntax();
+
+/// Reads the values of `arguments`, whose options are those of `table`, and checks all that concerns a frame
+/// and its model whoever asks for it. `command` is named in messages. @throws UsageError.
+RenderOptions read_frame_options(const Arguments& arguments, std::span<const RenderOption> table,
+                                 const std::string& command);
 
 /// @throws UsageError.
 RenderOptions parse_render_options(std::span<const std::string> words);

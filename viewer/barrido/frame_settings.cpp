@@ -1,0 +1,47 @@
+#include "viewer/barrido/frame_settings.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/scene/environment.h"
+#include "pipeline/scene/import_gltf.h"
+
+namespace barrido::cli {
+namespace {
+
+/// Fog without a colour of its own and without --background: the renderer's dark grey background.
+constexpr std::array<float, 3> kFogColorShown{0.2f, 0.2f, 0.2f};
+
+}  // namespace
+
+const unsigned kDrawnImages = scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kEmissiveImage;
+
+scene::RenderSettings resolved_settings(const RenderOptions& options) {
+  scene::RenderSettings settings = options.settings;
+  if (options.background_shown) {
+    const auto& [red, green, blue, alpha] = *options.background_shown;
+    settings.background_color = glm::vec4(red, green, blue, alpha);
+  }
+  if (!options.fog) return settings;
+  std::array<float, 3> shown = kFogColorShown;
+  if (options.background_shown) std::copy_n(options.background_shown->begin(), 3, shown.begin());
+  shown = options.fog->color_shown.value_or(shown);
+  settings.fog = options.fog->state;
+  settings.fog->color = {shown[0], shown[1], shown[2], 1.0f};
+  return settings;
+}
+
+std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options) {
+  if (options.environment_path.empty()) return nullptr;
+  const bool srgb = options.settings.color_management == scene::ColorManagement::srgb;
+  const scene::CubeMapImage image = scene::read_environment(options.environment_path);
+  raster::TextureOptions texture_options;
+  texture_options.encoding = srgb ? raster::Encoding::srgb : raster::Encoding::linear;
+  std::array<raster::Pixels8, raster::kCubeFaces> faces;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    faces[face] = {image.size, image.size, image.faces_rgba[face]};
+  }
+  return std::make_shared<const raster::Texture>(raster::Texture::make_cube(faces, texture_options));
+}
+
+}  // namespace barrido::cli
