@@ -1,5 +1,5 @@
 // Points and lines, and polygons that are drawn as their corners or edges (GL_POLYGON_MODE). Edges are those
-// of the polygon itself, never those that cut a quad into triangles.
+// of the polygon itself and those that clipping makes, never those that cut a quad into triangles.
 #include <cmath>
 
 #include "pipeline/assembly_steps.h"
@@ -34,30 +34,19 @@ bool needs_clipping(const PackedPosition& p) {
   return (outcode(p) & kNeedsClipping) != 0 || plane_code(p) != 0;
 }
 
-bool add_line(const AssemblyInput& input, std::uint32_t primitive, const std::array<std::uint32_t, 2>& ends,
-              bool back, ChunkWriter& writer, AssemblyCounts& counts) {
-  const std::array<PackedPosition, 2> positions{input.vertices.positions[ends[0]],
-                                                input.vertices.positions[ends[1]]};
-  if (is_hidden(positions[0], positions[1])) return false;
-  const bool clips = needs_clipping(positions[0]) || needs_clipping(positions[1]);
-  std::array<WindowVertex, 2> window;
-  writer.make_room(1);
+ClipCorners corners_between(const AssemblyInput& input, const std::array<std::uint32_t, 2>& ends,
+                            const std::array<double, 2>& w, bool back) {
   ClipCorners corners;
   corners.count = 2;
   for (std::size_t k = 0; k < 2; ++k) {
     corners.vertex[k] = number_on_side(input, ends[k], back);
-    window[k] = {window_coordinate(positions[k].x), window_coordinate(positions[k].y), corners.vertex[k]};
+    corners.w[k] = w[k];
   }
-  if (clips) {
-    ClipVertex a = corner_in_clip_space(input, ends[0], 0);
-    ClipVertex b = corner_in_clip_space(input, ends[1], 1);
-    corners.w = {a.w, b.w, 1.0};
-    if (!clip_line(input.plan.transform, a, b)) return false;
-    window = {window_position(input, a, corners), window_position(input, b, corners)};
-    window[0].number = vertex_number(input, a, corners, writer);
-    window[1].number = vertex_number(input, b, corners, writer);
-    ++counts.clipped;
-  }
+  return corners;
+}
+
+void add_line_record(std::uint32_t primitive, const std::array<WindowVertex, 2>& window, bool back,
+                     ChunkWriter& writer) {
   raster::PrimitiveRecord record{};
   for (std::size_t k = 0; k < 2; ++k) {
     record.x[k] = window[k].x;
@@ -66,7 +55,96 @@ bool add_line(const AssemblyInput& input, std::uint32_t primitive, const std::ar
   }
   record.flat_and_facing = writer.flat_and_facing(primitive, back);
   writer.add(record);
+}
+
+WindowVertex window_vertex(const AssemblyInput& input, const ClipVertex& vertex, const ClipCorners& corners,
+                           ChunkWriter& writer) {
+  WindowVertex window = window_position(input, vertex, corners);
+  window.number = vertex_number(input, vertex, corners, writer);
+  return window;
+}
+
+bool add_line(const AssemblyInput& input, std::uint32_t primitive, const std::array<std::uint32_t, 2>& ends,
+              bool back, ChunkWriter& writer, AssemblyCounts& counts) {
+  const std::array<PackedPosition, 2> positions{input.vertices.positions[ends[0]],
+                                                input.vertices.positions[ends[1]]};
+  if (is_hidden(positions[0], positions[1])) return false;
+  writer.make_room(1);
+  std::array<WindowVertex, 2> window;
+  if (needs_clipping(positions[0]) || needs_clipping(positions[1])) {
+    ClipVertex a = corner_in_clip_space(input, ends[0], 0);
+    ClipVertex b = corner_in_clip_space(input, ends[1], 1);
+    const ClipCorners corners = corners_between(input, ends, {a.w, b.w}, back);
+    if (!clip_line(input.plan.transform, a, b)) return false;
+    window = {window_vertex(input, a, corners, writer), window_vertex(input, b, corners, writer)};
+    ++counts.clipped;
+  } else {
+    for (std::size_t k = 0; k < 2; ++k) {
+      window[k] = {window_coordinate(positions[k].x), window_coordinate(positions[k].y),
+                   number_on_side(input, ends[k], back)};
+    }
+  }
+  add_line_record(primitive, window, back, writer);
   return true;
+}
+
+/// A corner that clipping made, as a point.
+bool add_clipped_point(const AssemblyInput& input, std::uint32_t primitive, const ClipVertex& v,
+                       const ClipCorners& corners, bool back, ChunkWriter& writer) {
+  if (std::abs(v.x) > v.w || std::abs(v.y) > v.w) return false;
+  writer.make_room(1);
+  const WindowVertex window = window_vertex(input, v, corners, writer);
+  raster::PrimitiveRecord record{};
+  record.x[0] = window.x;
+  record.y[0] = window.y;
+  record.vertex[0] = window.number;
+  record.flat_and_facing = writer.flat_and_facing(primitive, back);
+  writer.add(record);
+  return true;
+}
+
+/// Where an edge of a polygon begins, or comes into sight, as a point.
+bool add_corner(const AssemblyInput& input, std::uint32_t primitive, const std::array<std::uint32_t, 2>& ends,
+                bool back, ChunkWriter& writer) {
+  const std::array<PackedPosition, 2> positions{input.vertices.positions[ends[0]],
+                                                input.vertices.positions[ends[1]]};
+  if (!needs_clipping(positions[0])) return add_point(input, primitive, ends[0], back, writer);
+  if (is_hidden(positions[0], positions[1])) return false;
+  ClipVertex a = corner_in_clip_space(input, ends[0], 0);
+  ClipVertex b = corner_in_clip_space(input, ends[1], 1);
+  const ClipCorners corners = corners_between(input, ends, {a.w, b.w}, back);
+  return clip_line(input.plan.transform, a, b) &&
+         add_clipped_point(input, primitive, a, corners, back, writer);
+}
+
+/// The edges that clipping makes are boundary edges as well (OpenGL 1.3, section 2.11), and where they begin
+/// is a corner.
+void add_closing_edges(const AssemblyInput& input, std::uint32_t polygon, bool back, ChunkWriter& writer) {
+  const std::uint32_t size = input.corner_count();
+  std::vector<ClipVertex> clip;
+  for (std::uint32_t corner = 0; corner < size; ++corner) {
+    const std::uint32_t vertex = input.corner_vertex(polygon, corner);
+    if ((outcode(input.vertices.positions[vertex]) & kNotANumber) != 0) return;
+    clip.push_back(corner_in_clip_space(input, vertex, 0));
+  }
+  for (const ClosingEdge& edge : closing_edges(input.plan.transform, clip)) {
+    ClipCorners corners;
+    corners.count = 4;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto corner = static_cast<std::uint32_t>(edge.corner[k]);
+      corners.vertex[k] = number_on_side(input, input.corner_vertex(polygon, corner), back);
+      corners.w[k] = clip[edge.corner[k]].w;
+    }
+    if (input.plan.topology == raster::Topology::points) {
+      add_clipped_point(input, polygon, edge.from, corners, back, writer);
+      continue;
+    }
+    writer.make_room(1);
+    add_line_record(
+        polygon,
+        {window_vertex(input, edge.from, corners, writer), window_vertex(input, edge.to, corners, writer)},
+        back, writer);
+  }
 }
 
 /// Twice the area of the polygon in the window; exact where no corner lacks a window position. Else the sign
@@ -131,14 +209,17 @@ void assemble_outlines(const AssemblyInput& input, std::uint32_t first, std::uin
       counts.culled += size;
       continue;
     }
+    bool clips = false;
     for (std::uint32_t corner = 0; corner < size; ++corner) {
       const std::uint32_t vertex = input.corner_vertex(polygon, corner);
       const std::uint32_t next = input.corner_vertex(polygon, corner + 1 == size ? 0 : corner + 1);
       const bool drawn = input.plan.topology == raster::Topology::points
-                             ? add_point(input, polygon, vertex, back, writer)
+                             ? add_corner(input, polygon, {vertex, next}, back, writer)
                              : add_line(input, polygon, {vertex, next}, back, writer, counts);
       counts.culled += !drawn;
+      clips |= needs_clipping(input.vertices.positions[vertex]);
     }
+    if (clips) add_closing_edges(input, polygon, back, writer);
   }
 }
 

@@ -20,11 +20,12 @@ struct WindowVertex {
   std::uint32_t number = 0;
 };
 
-/// The corners of a primitive that is clipped: their numbers (all of the side that is seen) and w.
+/// The corners of a primitive that is clipped (or those that a closing edge lies between): their numbers (all
+/// of the side that is seen) and w.
 struct ClipCorners {
   int count = 0;
-  std::array<std::uint32_t, 3> vertex{};
-  std::array<double, 3> w{};
+  std::array<std::uint32_t, 4> vertex{};
+  std::array<double, 4> w{};
 };
 
 class ChunkWriter {

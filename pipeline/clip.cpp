@@ -1,6 +1,7 @@
 #include "pipeline/clip.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "pipeline/bounded.h"
 
@@ -88,6 +89,51 @@ void clip_at(const VertexTransform& transform, int plane, ClipPolygon& polygon) 
 /// it away.
 void keep_positive(ClipVertex& v) { v.w = std::max(v.w, static_cast<double>(kMinW)); }
 
+constexpr int kNoPlane = -1;
+
+/// Cuts a line at all planes but one, on which it may lie.
+bool clip_line_but(const VertexTransform& transform, int left_out, ClipVertex& a, ClipVertex& b) {
+  for (int plane = 0; plane < plane_end(transform); ++plane) {
+    if (plane == left_out || !applies(transform, plane)) continue;
+    const double d_a = distance(transform, a, plane);
+    const double d_b = distance(transform, b, plane);
+    if (d_a < 0.0 && d_b < 0.0) return false;
+    if (d_a < 0.0) {
+      a = intersection(b, d_b, a, d_a);
+    } else if (d_b < 0.0) {
+      b = intersection(a, d_a, b, d_b);
+    }
+  }
+  keep_positive(a);
+  keep_positive(b);
+  return true;
+}
+
+std::optional<ClosingEdge> closing_edge(const VertexTransform& transform, std::span<const ClipVertex> polygon,
+                                        int plane) {
+  ClosingEdge edge;
+  int crossings = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = i + 1 == polygon.size() ? 0 : i + 1;
+    const double d = distance(transform, polygon[i], plane);
+    const double d_next = distance(transform, polygon[next], plane);
+    if ((d >= 0.0) == (d_next >= 0.0)) continue;
+    ++crossings;
+    const bool leaves = d >= 0.0;
+    const std::size_t at = leaves ? 0 : 2;
+    edge.corner[at] = i;
+    edge.corner[at + 1] = next;
+    ClipVertex a = polygon[i], b = polygon[next];
+    a.corner = b.corner = -1;
+    a.weight = b.weight = {};
+    a.weight[at] = b.weight[at + 1] = 1.0;
+    (leaves ? edge.from : edge.to) = leaves ? intersection(a, d, b, d_next) : intersection(b, d_next, a, d);
+  }
+  // A convex polygon is left once at most.
+  if (crossings != 2 || !clip_line_but(transform, plane, edge.from, edge.to)) return std::nullopt;
+  return edge;
+}
+
 float row_times(const glm::mat4& m, int row, const glm::vec4& p) {
   return ((m[0][row] * p.x + m[1][row] * p.y) + m[2][row] * p.z) + m[3][row] * p.w;
 }
@@ -119,20 +165,19 @@ void clip_polygon(const VertexTransform& transform, ClipPolygon& polygon) {
 }
 
 bool clip_line(const VertexTransform& transform, ClipVertex& a, ClipVertex& b) {
+  return clip_line_but(transform, kNoPlane, a, b);
+}
+
+std::vector<ClosingEdge> closing_edges(const VertexTransform& transform,
+                                       std::span<const ClipVertex> polygon) {
+  std::vector<ClosingEdge> edges;
   for (int plane = 0; plane < plane_end(transform); ++plane) {
-    if (!applies(transform, plane)) continue;
-    const double d_a = distance(transform, a, plane);
-    const double d_b = distance(transform, b, plane);
-    if (d_a < 0.0 && d_b < 0.0) return false;
-    if (d_a < 0.0) {
-      a = intersection(b, d_b, a, d_a);
-    } else if (d_b < 0.0) {
-      b = intersection(a, d_a, b, d_b);
-    }
+    const bool guards = plane >= kPositiveW && plane < kFirstUserPlane;
+    if (guards || !applies(transform, plane)) continue;
+    if (const std::optional<ClosingEdge> edge = closing_edge(transform, polygon, plane))
+      edges.push_back(*edge);
   }
-  keep_positive(a);
-  keep_positive(b);
-  return true;
+  return edges;
 }
 
 }  // namespace barrido::pipeline

@@ -15,6 +15,15 @@ struct Surface {
   double depth, slope;
 };
 
+/// Whether the draw's colours are the texels of unit 0 as they are, seen where nearest.
+bool shows_plain_texels(const DrawCall& draw) {
+  const pipeline::State& state = draw.state;
+  return state.texture_units[0].env_mode == raster::TextureEnvMode::replace &&
+         state.texture_units[1].texture == nullptr && state.depth.test &&
+         state.depth.compare == raster::Compare::less && !state.lighting.separate_specular &&
+         !state.fog.enabled && !state.blend.enabled && !state.alpha_test.enabled && !state.scissor.enabled;
+}
+
 class Classifier {
  public:
   explicit Classifier(const ScenePair& pair)
@@ -65,6 +74,7 @@ class Classifier {
   void add(const DrawCall& draw) {
     blends_ |= draw.state.blend.enabled;
     gain_ = gain_of(draw.state);
+    shows_texels_ = pair_.draws.size() == 1 && shows_plain_texels(draw);
     std::vector<ExactUnit> units;
     for (std::size_t i = 0; i < 2; ++i) {
       if (draw.state.texture_units[i].texture != nullptr) units.emplace_back(draw, i);
@@ -114,6 +124,8 @@ class Classifier {
       ++fragments_[at];
       rule.layers = std::max(rule.layers, gain_);
       rule.depth_slope = std::max(rule.depth_slope, static_cast<float>(slope));
+      if (shows_texels_ && units.size() == 1 && is_nearest(surfaces_[at], triangle.depth(weights)))
+        rule.color = in_steps(units[0].texel_at(triangle, x + 0.5, y + 0.5));
       if (draw.state.depth.test) surfaces_[at].push_back({triangle.depth(weights), slope});
       for (const ExactUnit& unit : units) {
         const SampleRule sample = unit.rule_at(triangle, x + 0.5, y + 0.5);
@@ -122,6 +134,18 @@ class Classifier {
       }
       if (lights.has_steps() && lights.near_step(triangle, x + 0.5, y + 0.5)) mark(at, PixelClass::tie);
     });
+  }
+
+  static bool is_nearest(const std::vector<Surface>& surfaces, double depth) {
+    return std::all_of(surfaces.begin(), surfaces.end(),
+                       [depth](const Surface& s) { return depth < s.depth; });
+  }
+
+  static std::optional<std::array<double, 4>> in_steps(std::optional<std::array<double, 4>> color) {
+    if (color) {
+      for (double& channel : *color) channel *= 255.0;
+    }
+    return color;
   }
 
   /// How much a rounding in a texture can grow until the end of the units.
@@ -153,6 +177,7 @@ class Classifier {
   std::vector<std::vector<Surface>> surfaces_;
   std::vector<int> fragments_;
   bool blends_ = false;
+  bool shows_texels_ = false;
   int gain_ = 1;
 };
 

@@ -3,6 +3,7 @@
 // level, face, depth).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tests/osmesa/scene_pair.h"
@@ -17,6 +18,8 @@ struct PixelRule {
   int layers = 1;            ///< Roundings that add up: fragments that are blended, scales of combine.
   float allowance = 0.0f;    ///< On top of that, in 1/255.
   float depth_slope = 0.0f;  ///< Steepest surface here: window depth per pixel.
+  /// The colour itself in double precision, in 1/255, where it is nothing but a linearly filtered texel.
+  std::optional<std::array<double, 4>> color;
 };
 
 /// For every pixel, top row first.

@@ -76,7 +76,12 @@ Figures run_pair(GlRenderer& reference, const Feature& feature, std::uint64_t se
   const ScenePair pair = make_pair(feature, seed);
   const Picture actual = draw_with_barrido(pair);
   const Picture expected = reference.draw(pair);
-  const Figures figures = compare(actual, expected, classify(pair), feature.gate);
+  const std::vector<PixelRule> rules = classify(pair);
+  Figures figures = compare(actual, expected, rules, feature.gate);
+  if (excessive_pixels(figures) > 0) {
+    const DeepPicture deep = reference.draw_deep(pair);
+    figures = compare(actual, expected, rules, feature.gate, &deep);
+  }
   const std::string failure = interior_failure(figures, feature.gate);
   if (!failure.empty() || options.pairs == 1) {
     write_pictures(options.out, slug(feature.name) + "-" + std::to_string(seed), expected, actual);

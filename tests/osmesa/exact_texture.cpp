@@ -190,6 +190,22 @@ double ExactUnit::snapping_difference(const ExactTriangle& triangle, double x, d
   return largest;
 }
 
+std::optional<std::array<double, 4>> ExactUnit::texel_at(const ExactTriangle& triangle, double x,
+                                                         double y) const {
+  const bool trilinear = unit_.min_filter == MinFilter::linear_mipmap_linear;
+  if (unit_.mag_filter == MagFilter::nearest || !(trilinear || unit_.min_filter == MinFilter::linear))
+    return std::nullopt;
+  const Place p = place_at(triangle, x, y);
+  if (p.face_tie) return std::nullopt;
+  const int last = texture_.level_count() - 1;
+  const double lod = trilinear ? std::clamp(p.lod, 0.0, static_cast<double>(last)) : 0.0;
+  const int level = static_cast<int>(lod);
+  std::array<double, 4> texel = bilinear(p, level);
+  const std::array<double, 4> next = bilinear(p, std::min(level + 1, last));
+  for (std::size_t c = 0; c < 4; ++c) texel[c] += (lod - level) * (next[c] - texel[c]);
+  return texel;
+}
+
 SampleRule ExactUnit::rule_at(const ExactTriangle& triangle, double x, double y) const {
   const Place p = place_at(triangle, x, y);
   const MinFilter min = unit_.min_filter;

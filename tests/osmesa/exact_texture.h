@@ -2,6 +2,8 @@
 // choice of level or of a cube's face is a near tie, and how far two levels lie apart.
 #pragma once
 
+#include <optional>
+
 #include "tests/osmesa/exact_triangle.h"
 
 namespace barrido::crosscheck {
@@ -19,6 +21,8 @@ class ExactUnit {
  public:
   ExactUnit(const DrawCall& draw, std::size_t unit);
   SampleRule rule_at(const ExactTriangle& triangle, double x, double y) const;
+  /// The filtered texel, where all filters are linear.
+  std::optional<std::array<double, 4>> texel_at(const ExactTriangle& triangle, double x, double y) const;
 
  private:
   struct Place {

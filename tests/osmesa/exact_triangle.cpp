@@ -203,18 +203,22 @@ std::vector<std::array<WindowPoint, 2>> exact_strokes(const DrawCall& draw, int 
     const std::size_t step = mesh.mode == PrimitiveMode::lines ? 2 : 1;
     for (std::size_t i = 0; i + 1 < n; i += step) pairs.push_back({i, i + 1});
     if (mesh.mode == PrimitiveMode::line_loop && n > 1) pairs.push_back({n - 1, 0});
-  } else if (draw.state.polygon_mode != pipeline::PolygonMode::fill) {
-    for (const Elements& polygon : polygons_of(mesh)) {
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        pairs.push_back({polygon[i], polygon[as_points ? i : (i + 1) % polygon.size()]});
-      }
-    }
   }
   std::vector<std::array<WindowPoint, 2>> strokes;
-  for (const auto& [a, b] : pairs) {
-    std::vector<Corner> ends{corner_of(draw, mesh.vertex(a)), corner_of(draw, mesh.vertex(b))};
-    clip(ends, false, draw.state.depth_clamp);
-    if (ends.size() == 2) strokes.push_back({project(ends[0], window), project(ends[1], window)});
+  const auto add = [&](std::vector<Corner> corners, bool closed) {
+    clip(corners, closed, draw.state.depth_clamp);
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < corners.size(); ++i) {
+      const std::size_t next = as_points && closed ? i : (i + 1) % corners.size();
+      strokes.push_back({project(corners[i], window), project(corners[next], window)});
+    }
+  };
+  for (const auto& [a, b] : pairs)
+    add({corner_of(draw, mesh.vertex(a)), corner_of(draw, mesh.vertex(b))}, false);
+  if (draw.state.polygon_mode == pipeline::PolygonMode::fill) return strokes;
+  for (const Elements& polygon : polygons_of(mesh)) {
+    std::vector<Corner> corners;
+    for (const std::size_t element : polygon) corners.push_back(corner_of(draw, mesh.vertex(element)));
+    add(std::move(corners), true);  // what clipping makes are corners and edges too (section 2.11)
   }
   return strokes;
 }

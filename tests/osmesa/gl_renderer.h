@@ -21,6 +21,9 @@ class GlRenderer {
 
   /// @throws std::runtime_error on an OpenGL error or a shader that does not compile.
   Picture draw(const ScenePair& pair);
+  /// The same with 16 bits a channel, where blending and filters do not round to 8: a second look at pixels
+  /// that differ.
+  DeepPicture draw_deep(const ScenePair& pair);
 
   /// GL_RENDERER and GL_VERSION.
   std::string description() const;

@@ -48,7 +48,7 @@ std::string row(const Feature& feature, const Figures& f) {
   const ClassFigures& tie = f.of(PixelClass::tie);
   std::string text = std::string("| ") + feature.name + " | " + std::to_string(f.pairs);
   text += " | " + std::to_string(interior.worst) + " | " + number(per_million(interior.different, f.pixels));
-  text += " | " + histogram(interior);
+  text += " | " + histogram(interior) + " | " + std::to_string(f.second_looks);
   text += " | " + std::to_string(edge.worst) + " | " + number(per_million(edge.excessive, f.pixels), "%.2f");
   text += " | " + number(100.0 * static_cast<double>(tie.pixels) /
                              static_cast<double>(std::max<std::uint64_t>(f.pixels, 1)),
@@ -115,19 +115,33 @@ void write_table(const std::filesystem::path& file, const std::vector<Figures>& 
          "(and what the level\n"
       << "of detail varies over the group of pixels that it is computed for) times the difference of the two "
          "levels.\n\n"
+      << "A pixel that differs by more is looked at again: OpenGL draws the scene with 16 "
+         "bits a "
+         "channel, so that\n"
+      << "its blending and filters do not round to 8 bits, and where a colour is a filtered texel and "
+         "nothing else "
+         "it is computed\n"
+      << "in double precision. Barrido must be within the same gate of one of these. *Second looks* counts "
+         "such "
+         "pixels; they are\n"
+      << "still counted as differing in the columns before.\n\n"
       << "Left out, because this OpenGL differs from the specification or the specification leaves the "
          "choice: a sum with\n"
       << "the secondary colour above 1 under fog (not clamped there; OpenGL 1.3, section 3.9); the "
          "change-over between the\n"
       << "filters at level of detail 1/2 (always 0 there; section 3.8.9); 0 to the power of 0 in highlights; "
          "the diagonal along\n"
-      << "which quads with more than a plane of colours are cut; corners of outlined polygons that clipping "
-         "made. Its unit of\n"
+      << "which quads with more than a plane of colours are cut; outlined polygons that the view volume cuts "
+         "(it "
+         "does not close\n"
+      << "them there; section 2.11), and the corners that cutting quads and polygons into triangles makes in "
+         "them. Its unit of\n"
       << "polygon offset is 2⁻²³ (Barrido's 2⁻²⁴), which is allowed for. Lines may differ at their ends "
          "(section 3.4.1).\n\n"
-      << "| feature | pairs | interior, worst | interior ppm | histogram | edge, worst | edge ppm | ties, % "
-         "| tie ppm "
-         "| depth | gate |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+      << "| feature | pairs | interior, worst | interior ppm | histogram | second looks | edge, worst | edge "
+         "ppm | "
+         "ties, % | tie ppm "
+         "| depth | gate |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (figures[i].pairs > 0) out << row(features()[i], figures[i]);
   }

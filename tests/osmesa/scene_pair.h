@@ -55,6 +55,11 @@ struct Picture {
   std::vector<float> depth;
 };
 
+/// Colours of 16 bits: 257 is 1/255.
+struct DeepPicture {
+  std::vector<std::array<std::uint16_t, 4>> color;
+};
+
 Picture draw_with_barrido(const ScenePair& pair);
 
 }  // namespace barrido::crosscheck
