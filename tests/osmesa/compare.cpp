@@ -101,6 +101,7 @@ Figures compare(const Picture& barrido, const Picture& reference, const std::vec
 }
 
 std::string interior_failure(const Figures& figures, const Gate& gate) {
+  if (!gate.held) return {};
   const ClassFigures& interior = figures.of(PixelClass::interior);
   if (interior.excessive > 0) {
     return std::to_string(interior.excessive) + " interior pixels differ by up to " +
@@ -112,6 +113,7 @@ std::string interior_failure(const Figures& figures, const Gate& gate) {
 }
 
 std::string feature_failure(const Figures& figures, const Gate& gate) {
+  if (!gate.held) return {};
   const auto over = [&](std::uint64_t count, double ppm) {
     // A single pixel of a short run may be more than the parts per million allow.
     return count > 2 && per_million(count, figures.pixels) > ppm;

@@ -100,29 +100,30 @@ struct Worst {
 
 int run(const Options& options) {
   GlRenderer reference;
-  std::vector<Figures> totals(features().size());
-  std::vector<Worst> worst(features().size());
+  const std::vector<Feature> list = features_against(reference.description());
+  std::vector<Figures> totals(list.size());
+  std::vector<Worst> worst(list.size());
   int failures = 0;
   for (std::uint64_t i = 0; i < options.pairs; ++i) {
-    const std::size_t f = options.feature.value_or(i % features().size());
-    const Figures figures = run_pair(reference, features()[f], options.seed + i, options, failures);
+    const std::size_t f = options.feature.value_or(i % list.size());
+    const Figures figures = run_pair(reference, list[f], options.seed + i, options, failures);
     const std::uint64_t excessive =
         figures.of(PixelClass::edge).excessive + figures.of(PixelClass::tie).excessive;
     if (excessive > worst[f].excessive) worst[f] = {options.seed + i, excessive};
     totals[f] += figures;
   }
   for (std::size_t f = 0; f < totals.size(); ++f) {
-    const std::string failure = feature_failure(totals[f], features()[f].gate);
+    const std::string failure = feature_failure(totals[f], list[f].gate);
     if (failure.empty()) continue;
     ++failures;
-    std::printf("FAILED %s, all %llu pairs: %s; most in --seed %llu --pairs 1\n", features()[f].name,
+    std::printf("FAILED %s, all %llu pairs: %s; most in --seed %llu --pairs 1\n", list[f].name,
                 static_cast<unsigned long long>(totals[f].pairs), failure.c_str(),
                 static_cast<unsigned long long>(worst[f].seed));
   }
   if (!options.table.empty()) {
-    write_table(options.table, totals, reference.description(),
+    write_table(options.table, list, totals, reference.description(),
                 "barrido-crosscheck --pairs " + std::to_string(options.pairs) + " --seed " +
-                    std::to_string(options.seed) + " --table docs/cross-check.md");
+                    std::to_string(options.seed) + " --table " + options.table.generic_string());
   }
   std::printf("%llu pairs against %s: %d failed\n", static_cast<unsigned long long>(options.pairs),
               reference.description().c_str(), failures);

@@ -180,10 +180,10 @@ constexpr Feature kFeatures[] = {
     {"scissor, colour mask, viewport", scissor_and_masks, {}},
     {"polygon offset", polygon_offset, {}},
     {"fog", fog, {}},
-    {"points", points, {.edge_ppm = 0}},
+    {"points", points, {.edge_ppm = 0, .held_by_softpipe = false}},
     // Ends: OpenGL allows a fragment to be one unit off, and one more or less (1.3, section 3.4.1).
-    {"lines", lines, {.edge_ppm = 1000}},
-    {"polygon mode line and point", polygon_modes, {.edge_ppm = 300}},
+    {"lines", lines, {.edge_ppm = 1000, .held_by_softpipe = false}},
+    {"polygon mode line and point", polygon_modes, {.edge_ppm = 300, .held_by_softpipe = false}},
     {"everything mixed", mixed, {}},
 };
 

@@ -19,6 +19,10 @@ struct Gate {
   double edge_ppm = 50;       ///< Pixels within one pixel of an edge that may exceed `interior`, per million.
   double tie_ppm = 2000;      ///< The same for pixels near a discrete decision (texel, level, face, depth).
   double depth = 4e-7;        ///< Largest difference of interior depths.
+  /// softpipe chooses levels of detail and draws points and lines by coarser rules of its own: there the
+  /// feature is reported and not held.
+  bool held_by_softpipe = true;
+  bool held = true;
 };
 
 struct Feature {
@@ -28,6 +32,8 @@ struct Feature {
 };
 
 std::span<const Feature> features();
+/// The same with the gates for an OpenGL whose GL_RENDERER is given.
+std::vector<Feature> features_against(const std::string& renderer);
 ScenePair make_pair(const Feature& feature, std::uint64_t seed);
 
 }  // namespace barrido::crosscheck

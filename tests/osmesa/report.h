@@ -15,8 +15,9 @@ void write_pictures(const std::filesystem::path& folder, const std::string& name
 /// File name for a feature's name.
 std::string slug(const std::string& feature);
 
-/// The table as Markdown. `figures` in the order of features(). @throws as above.
-void write_table(const std::filesystem::path& file, const std::vector<Figures>& figures,
-                 const std::string& reference, const std::string& command);
+/// The table as Markdown. `figures` in the order of `features`. @throws as above.
+void write_table(const std::filesystem::path& file, const std::vector<Feature>& features,
+                 const std::vector<Figures>& figures, const std::string& reference,
+                 const std::string& command);
 
 }  // namespace barrido::crosscheck
