@@ -100,9 +100,11 @@ void clipped_outlines(Stage& stage) {
   state.polygon_mode = pipeline::PolygonMode::line;
   state.clip_planes = {{1, 0.5f, 0, 0.3f}};
   stage.draw(state, plane(3));
-  state = in_cell(view_from(0.9f), 1, 2, 1);
+  state = view_from(0.4f);
+  state.clip_from_eye = pipeline::perspective(1, 4.0 / 3.0, 0.6, 10);
+  state = in_cell(state, 1, 2, 1);
   state.polygon_mode = pipeline::PolygonMode::line;
-  stage.draw(placed(state, turned(-75, {1, 0, 0})), plane(3));
+  stage.draw(placed(state, pipeline::product(translation(-0.2f, 0, -0.5f), turned(70, {0, 1, 0}))), plane(3));
 }
 
 }  // namespace

@@ -36,6 +36,65 @@ TEST(Outline, CornersOfAPolygonAsPoints) {
   EXPECT_EQ(drawn.primitives().size(), 4u);
 }
 
+/// x and y of both ends in pixels of the 256 × 128 frame.
+std::vector<std::array<double, 4>> ends_of(const Drawn& drawn) {
+  std::vector<std::array<double, 4>> ends;
+  for (const auto& p : drawn.primitives())
+    ends.push_back({p.x[0] / 256.0, p.y[0] / 256.0, p.x[1] / 256.0, p.y[1] / 256.0});
+  return ends;
+}
+
+TEST(Outline, EdgesThatClippingMakesCloseThePolygon) {
+  State state;
+  state.polygon_mode = PolygonMode::line;
+  state.clip_planes = {{1, 0, 0, 0}};
+  using Ends = std::vector<std::array<double, 4>>;
+  EXPECT_EQ(ends_of(Drawn(state, geometry_of(kSquare, PrimitiveMode::quads))),
+            (Ends{{128, 32, 192, 32}, {192, 32, 192, 96}, {192, 96, 128, 96}, {128, 96, 128, 32}}));
+  // Two planes meet inside: each closing edge ends at the other.
+  state.clip_planes.emplace_back(0, 1, 0, 0);
+  EXPECT_EQ(ends_of(Drawn(state, geometry_of(kSquare, PrimitiveMode::polygon))),
+            (Ends{{192, 64, 192, 96}, {192, 96, 128, 96}, {128, 96, 128, 64}, {128, 64, 192, 64}}));
+}
+
+TEST(Outline, CornersThatClippingMakesArePoints) {
+  State state;
+  state.polygon_mode = PolygonMode::point;
+  state.clip_planes = {{1, 0, 0, 0}, {0, 1, 0, 0}};
+  std::vector<std::array<double, 2>> points;
+  for (const auto& p : Drawn(state, geometry_of(kSquare, PrimitiveMode::quads)).primitives())
+    points.push_back({p.x[0] / 256.0, p.y[0] / 256.0});
+  using Points = std::vector<std::array<double, 2>>;
+  EXPECT_EQ(points, (Points{{192, 64}, {192, 96}, {128, 96}, {128, 64}}));
+}
+
+TEST(Outline, ClosingEdgesAreInterpolatedBetweenTheCutEdges) {
+  State state;
+  state.polygon_mode = PolygonMode::line;
+  state.clip_planes = {{1, 0, 0, 0}};
+  Geometry geometry = geometry_of(kSquare, PrimitiveMode::quads);
+  const std::vector<float> colors{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  geometry.color = {colors.data(), 3, 3};
+  const Drawn drawn(state, geometry);
+  const int color = drawn.plan->fragment.varyings.color;
+  const auto channel = [&](std::uint32_t vertex, int c) {
+    const float* record = drawn.chunks[0].record(vertex, drawn.vertices.stride);
+    return record[raster::kRecordVaryings + color + c] / record[raster::kRecordQ];
+  };
+  const raster::PrimitiveRecord edge = drawn.primitives().back();
+  EXPECT_EQ(channel(edge.vertex[0], 0), 0.5f);  // between corners 2 and 3
+  EXPECT_EQ(channel(edge.vertex[0], 1), 1.0f);
+  EXPECT_EQ(channel(edge.vertex[1], 0), 0.5f);  // between corners 0 and 1
+  EXPECT_EQ(channel(edge.vertex[1], 1), 0.0f);
+}
+
+TEST(Outline, TheSidesOfTheFrameCloseNothing) {
+  State state;
+  state.polygon_mode = PolygonMode::line;
+  const std::vector<float> wide{-3, -0.5f, 0, 3, -0.5f, 0, 3, 0.5f, 0, -3, 0.5f, 0};
+  EXPECT_EQ(Drawn(state, geometry_of(wide, PrimitiveMode::quads)).primitives().size(), 2u);
+}
+
 TEST(Outline, PolygonsAreCulledAsAWhole) {
   State state;
   state.polygon_mode = PolygonMode::line;
