@@ -141,14 +141,14 @@ void write_table(const std::filesystem::path& file, const std::vector<Feature>& 
          "them. Its unit of\n"
       << "polygon offset is 2⁻²³ (Barrido's 2⁻²⁴), which is allowed for. Lines may differ at their ends "
          "(section 3.4.1).\n\n"
-      << (softpipe
-              ? "softpipe is a second opinion with gates of its own: it has 4 sub-pixel bits where Barrido "
-                "and "
-                "llvmpipe have 8, so up to\n1000 ppm may differ at edges; levels of detail, points and "
-                "lines, "
-                "which it draws by coarser rules, are reported and not\nheld. Interiors are held to the same "
-                "gates.\n\n"
-              : "")
+      << (softpipe ? "softpipe is a second opinion with gates of its own: it has 4 sub-pixel bits where "
+                     "Barrido and llvmpipe have "
+                     "8, so up to\n1000 ppm may differ at edges. Reported and not held are levels of detail, "
+                     "points "
+                     "and lines, which it draws by coarser\nrules, and everything mixed, where it blends "
+                     "over sums above "
+                     "1 that it did not clamp. Interiors are held to the same\ngates.\n\n"
+                   : "")
       << "| feature | pairs | interior, worst | interior ppm | histogram | second looks | edge, worst | edge "
          "ppm | "
          "ties, % | tie ppm "
