@@ -82,19 +82,22 @@ struct Rasterizer::Implementation {
     }
   }
 
-  void store_tile(const TileSurface& tile, const TileJob& job) const {
-    alignas(64) std::uint32_t displayed[kTileWidth];
+  void store(TileSurface& tile, const TileJob& job) const {
+    if (is_float()) display(tile, job);
+    const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight);
+    store_tile({tile.color8, tile.depth}, job.width, job.height,
+               {frame.color8().data() + at, frame.depth().empty() ? nullptr : frame.depth().data() + at,
+                grid.frame_width});
+  }
+
+  /// Float colours to the frame's, where it keeps them, and to the tile's 8-bit ones.
+  void display(TileSurface& tile, const TileJob& job) const {
     for (int row = 0; row < job.height; ++row) {
       const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
-      const std::uint32_t* color8 = tile.color8 + row * kTileWidth;
-      if (is_float()) {
-        display_row(tile, row, job.width, frame.options().display, displayed);
-        color8 = displayed;
-        if (!frame.color_float().empty())
-          store_float_row(tile, row, job.width, frame.color_float().data() + at * 4);
+      display_row(tile, row, job.width, frame.options().display, tile.color8 + row * kTileWidth);
+      if (!frame.color_float().empty()) {
+        store_float_row(tile, row, job.width, frame.color_float().data() + at * 4);
       }
-      store_tile_row(color8, tile.depth + row * kTileWidth, job.width, frame.color8().data() + at,
-                     frame.depth().empty() ? nullptr : frame.depth().data() + at);
     }
   }
 
@@ -118,7 +121,7 @@ struct Rasterizer::Implementation {
       load_tile(w.surface, job);
     }
     rasterize_tile(job, w);
-    store_tile(w.surface, job);
+    store(w.surface, job);
   }
 };
 

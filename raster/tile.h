@@ -13,7 +13,7 @@
 
 namespace barrido::raster {
 
-/// Colour, depth and, for the visibility pass, the number of the span that is seen in each pixel. Rows of
+/// Colour, depth and, for the visibility pass, the mark of the span that is seen in each pixel. Rows of
 /// kTileWidth, window row 0 of the tile first. Only the colour array of the frame's format is in use.
 struct TileSurface {
   ColorFormat format = ColorFormat::rgba8;
@@ -23,25 +23,40 @@ struct TileSurface {
   alignas(64) std::uint32_t visible_span[kTilePixels + kTilePadding];
 };
 
-/// One scanline's piece of one primitive; columns relative to the tile. `first` and `last` are those before
-/// the scissor: interpolation is anchored at `first` (docs/arithmetic.md).
-struct SpanRecord {
-  std::uint32_t primitive;  ///< Position in TileWorkspace::primitives.
-  std::int16_t row;
-  std::int16_t first;
-  std::int16_t last;
+/// Depth over the window, z(x, y) = base + ddx·(x − x0) + ddy·(y − y0).
+struct DepthPlane {
+  double x0, y0, base, ddx, ddy;
+
+  /// At the centre of window pixel (x, y), rounded once.
+  float at(int x, int y) const {
+    return static_cast<float>((base + ddx * ((x + 0.5) - x0)) + ddy * ((y + 0.5) - y0));
+  }
 };
 
-/// A primitive of the batch of draws whose visibility is being resolved.
+/// A triangle of the draws whose visibility is being resolved, in one tile. Row r, relative to the tile,
+/// covers columns [first[r], end[r]) before the scissor: interpolation is anchored at `first`
+/// (docs/arithmetic.md).
 struct TilePrimitive {
   const PrimitiveChunk* chunk;
   const PrimitiveRecord* record;
-  std::int32_t first_run;  ///< Head of its list of visible runs, or -1.
+  DepthPlane depth;
+  int row_begin, row_end;                   ///< Rows that the scissor leaves.
+  std::int32_t first_run;                   ///< Head of its list of visible runs, or -1.
+  std::uint8_t scissor_begin, scissor_end;  ///< Columns that the scissor leaves.
+  std::uint8_t first[kTileHeight + kTilePadding];
+  std::uint8_t end[kTileHeight + kTilePadding];
 };
+
+/// What stands in TileSurface::visible_span: number of the primitive, then row; 0 is nothing. Greater marks
+/// were drawn later.
+constexpr std::uint32_t span_mark(std::size_t primitive, int row) {
+  return static_cast<std::uint32_t>(primitive * kTileHeight + static_cast<std::size_t>(row) + 1);
+}
+constexpr std::size_t primitive_of(std::uint32_t mark) { return (mark - 1) / kTileHeight; }
 
 /// A run of pixels of one row in which one span is seen.
 struct VisibleRun {
-  std::uint32_t span;
+  std::int16_t row;
   std::int16_t begin;
   std::int16_t end;
   std::int32_t next;  ///< Next run of the same primitive, or -1.
@@ -54,7 +69,6 @@ struct TileWorkspace {
   alignas(64) float texel[4][kBatchStride];
   /// Primary colours, for texture environments that ask for them after the first unit.
   alignas(64) float primary[4][kBatchStride];
-  std::vector<SpanRecord> spans;
   std::vector<TilePrimitive> primitives;
   std::vector<VisibleRun> runs;
   std::vector<const BinnedChunk*> chunks;

@@ -86,10 +86,41 @@ inline bool within_unit(const SpanDepth& depth, int begin, int end) {
   return a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f;
 }
 
-/// Tests columns [begin, end) of a row and calls passed(x, mask) for each aligned vector of pixels. Depth is
-/// written where the test passes when kWrite.
-template <Compare kCompare, bool kTest, bool kWrite, bool kClamp, class Passed>
-HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, int end, Passed&& passed) {
+/// A depth test of any kind: which outcomes of comparing the incoming depth with the stored one pass, as
+/// masks.
+struct DepthRule {
+  using D = hn::ScalableTag<float>;
+  hn::Mask<D> less, equal, greater, unordered, write;
+
+  DepthRule(const DepthState& state, bool writes) {
+    const hn::RebindToSigned<D> di;
+    const auto mask = [&](bool on)
+                          HWY_ATTR { return hn::RebindMask(D(), hn::MaskFromVec(hn::Set(di, on ? -1 : 0))); };
+    const Compare c = state.test ? state.compare : Compare::always;
+    const bool any = c == Compare::always;
+    const bool unequal = c == Compare::not_equal;
+    less = mask(any || unequal || c == Compare::less || c == Compare::less_equal);
+    equal = mask(any || c == Compare::equal || c == Compare::less_equal || c == Compare::greater_equal);
+    greater = mask(any || unequal || c == Compare::greater || c == Compare::greater_equal);
+    unordered = mask(any || unequal);  // a NaN that the frame was cleared to
+    write = mask(writes && state.test);
+  }
+  template <class V>
+  HWY_INLINE hn::Mask<D> operator()(V incoming, V stored) const {
+    const auto lt = hn::Lt(incoming, stored);
+    const auto eq = hn::Eq(incoming, stored);
+    const auto gt = hn::Gt(incoming, stored);
+    const auto ordered = hn::Or(hn::Or(lt, eq), gt);
+    return hn::Or(hn::Or(hn::And(lt, less), hn::And(eq, equal)),
+                  hn::Or(hn::And(gt, greater), hn::AndNot(ordered, unordered)));
+  }
+};
+
+/// Tests columns [begin, end) of a row and calls passed(x, mask) for each aligned vector of pixels; writes
+/// the depth where the test passes. kUsual: `less`, with writing, of depths that need no clamping.
+template <bool kUsual, class Passed>
+HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDepth& depth, int begin,
+                           int end, Passed&& passed) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto row = hn::Set(d, depth.row);
@@ -98,15 +129,17 @@ HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, 
   auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
   for (; x < end; x += lanes) {
     auto mask = columns_mask(d, x, begin, end);
-    if constexpr (kTest) {
-      auto z = hn::Add(row, hn::Mul(slope, column));
-      if constexpr (kClamp)
-        z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)),
-                                            hn::Set(d, 1.0f));
-      mask = hn::And(mask, compare<kCompare>(z, hn::Load(d, depth_row + x)));
-      if constexpr (kWrite) hn::BlendedStore(z, mask, d, depth_row + x);
-      column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact
+    auto z = hn::Add(row, hn::Mul(slope, column));
+    const auto stored = hn::Load(d, depth_row + x);
+    if constexpr (kUsual) {
+      mask = hn::And(mask, hn::Lt(z, stored));
+      hn::BlendedStore(z, mask, d, depth_row + x);
+    } else {
+      z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)), hn::Set(d, 1.0f));
+      mask = hn::And(mask, rule(z, stored));
+      hn::BlendedStore(z, hn::And(mask, rule.write), d, depth_row + x);
     }
+    column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact
     passed(x, mask);
   }
 }
@@ -114,18 +147,12 @@ HWY_INLINE void test_depth(float* depth_row, const SpanDepth& depth, int begin, 
 template <class Passed>
 HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
                            int begin, int end, Passed&& passed) {
-  if (!state.test)
-    return test_depth<Compare::always, false, false, false>(depth_row, depth, begin, end, passed);
-  if (state.compare == Compare::less && write && within_unit(depth, begin, end)) {  // the usual case
-    return test_depth<Compare::less, true, true, false>(depth_row, depth, begin, end, passed);
+  const DepthRule rule(state, write);
+  if (state.test && state.compare == Compare::less && write && within_unit(depth, begin, end)) {
+    test_depth<true>(rule, depth_row, depth, begin, end, passed);
+  } else {
+    test_depth<false>(rule, depth_row, depth, begin, end, passed);
   }
-  with_compare(state.compare, [&]<Compare kCompare>() HWY_ATTR {
-    if (write) {
-      test_depth<kCompare, true, true, true>(depth_row, depth, begin, end, passed);
-    } else {
-      test_depth<kCompare, true, false, true>(depth_row, depth, begin, end, passed);
-    }
-  });
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -180,17 +180,17 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
         barrido::HWY_NAMESPACE::maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
         hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));
-    using V = decltype(k + k);
+    using Value = decltype(k + k);
     const auto quantity = [&](int i) HWY_ATTR {
       const auto dx = hn::Set(d, planes.slope_x[i]);
-      return Differential<V>{hn::Add(hn::Set(d, span.row[i]), hn::Mul(dx, k)), dx,
-                             hn::Set(d, planes.slope_y[i])};
+      return Differential<Value>{hn::Add(hn::Set(d, span.row[i]), hn::Mul(dx, k)), dx,
+                                 hn::Set(d, planes.slope_y[i])};
     };
     const auto s = quantity(kRecordVaryings + varying);
     const auto t = quantity(kRecordVaryings + varying + 1);
     const auto width = static_cast<float>(texture.width());
     const auto height = static_cast<float>(texture.height());
-    V lod;
+    Value lod;
     if (kind == TexcoordKind::cube) {
       lod = lod_cube(s, t, quantity(kRecordVaryings + varying + 2), width);
     } else if (kind == TexcoordKind::projective) {
@@ -198,7 +198,7 @@ HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentStat
       lod = lod_2d(s, t, q, hn::Div(hn::Set(d, 1.0f), q.value), width, height);
     } else if (varying < layout.affine_count) {
       const auto zero = hn::Zero(d);
-      lod = lod_2d(s, t, Differential<V>{zero, zero, zero}, hn::Set(d, 1.0f), width, height);
+      lod = lod_2d(s, t, Differential<Value>{zero, zero, zero}, hn::Set(d, 1.0f), width, height);
     } else {
       const auto q = quantity(kRecordQ);
       lod =

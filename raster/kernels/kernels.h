@@ -30,9 +30,22 @@ void write_fragments(FragmentBatch& batch, TileSurface& surface);
 /// Sets every pixel of the tile.
 void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth);
 
-/// Copies one finished row into the frame; depth_out may be null.
-void store_tile_row(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
-                    float* depth_out);
+/// Finished pixels of a tile, rows of kTileWidth, window row 0 of the tile first.
+struct TilePixels {
+  const std::uint32_t* color8;
+  const float* depth;
+};
+
+/// Where they go: the frame's pixel of the tile's row 0, column 0. The next row of the tile stands `pitch`
+/// elements before it, since frames hold their top row first. `depth` may be null.
+struct FramePixels {
+  std::uint32_t* color8;
+  float* depth;
+  std::ptrdiff_t pitch;
+};
+
+/// Copies the tile's first `width` columns and `height` rows into the frame, past the caches.
+void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame);
 
 /// Interleaves one row of float colours into the frame.
 void store_float_row(const TileSurface& tile, int row, int count, float* out);

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "raster/primitive.h"
+#include "raster/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
@@ -51,21 +51,13 @@ inline TriangleFrame triangle_frame(const PrimitiveRecord& p) {
   return f;
 }
 
-/// The plane of depth alone, for the visibility pass: the same operations as in `set_up_triangle`.
-struct DepthPlane {
-  double x0, y0, base, ddx, ddy;
-
-  float at(int x, int y) const {
-    return static_cast<float>((base + ddx * ((x + 0.5) - x0)) + ddy * ((y + 0.5) - y0));
-  }
-};
-
 inline double offset_depth(double base, double ddx, double ddy, const PolygonOffset& offset) {
   if (!offset.enabled) return base;
   return base + (static_cast<double>(offset.factor) * std::max(std::fabs(ddx), std::fabs(ddy)) +
                  static_cast<double>(offset.units) * 0x1p-24);
 }
 
+/// The plane of depth alone, for the visibility pass: the same operations as in `set_up_triangle`.
 inline DepthPlane triangle_depth_plane(const TriangleFrame& f, float z0, float z1, float z2,
                                        const PolygonOffset& offset) {
   const double e1 = static_cast<double>(z1) - static_cast<double>(z0);

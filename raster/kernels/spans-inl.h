@@ -29,12 +29,27 @@ struct TileArea {
   int height;  ///< Rows that lie in the frame.
 };
 
+/// Columns and rows, relative to the tile, that the scissor leaves.
+struct ScissorBox {
+  int x_begin = 0, y_begin = 0, x_end = kTileWidth, y_end = kTileHeight;
+};
+
+inline ScissorBox scissor_in(const Scissor& scissor, const TileArea& tile) {
+  if (!scissor.enabled) return {};
+  const auto relative = [](std::int64_t v, int origin, int limit) {
+    return static_cast<int>(std::clamp<std::int64_t>(v - origin, 0, limit));
+  };
+  return {relative(scissor.x, tile.x, kTileWidth), relative(scissor.y, tile.y, kTileHeight),
+          relative(static_cast<std::int64_t>(scissor.x) + std::max(scissor.width, 0), tile.x, kTileWidth),
+          relative(static_cast<std::int64_t>(scissor.y) + std::max(scissor.height, 0), tile.y, kTileHeight)};
+}
+
 /// A triangle's spans in a tile: row r covers columns [first[r], end[r]) for r in [row_begin, row_end).
 struct TriangleSpans {
   int row_begin = 0;
   int row_end = 0;
-  alignas(64) std::int32_t first[kTileHeight + 8];
-  alignas(64) std::int32_t end[kTileHeight + 8];
+  alignas(64) std::int32_t first[kTileHeight + kTilePadding];
+  alignas(64) std::int32_t end[kTileHeight + kTilePadding];
 };
 
 /// The triangle's corners from the lowest to the highest, in 1/256 pixel.
@@ -175,6 +190,22 @@ inline std::int64_t signed_area(const PrimitiveRecord& p) {
   const std::int64_t dx2 = static_cast<std::int64_t>(p.x[2]) - p.x[0];
   const std::int64_t dy2 = static_cast<std::int64_t>(p.y[2]) - p.y[0];
   return dx1 * dy2 - dx2 * dy1;
+}
+
+/// About how many pixels of the tile the triangle covers: its area, in proportion to how much of its bounding
+/// box lies in the tile.
+inline double area_in_tile(const PrimitiveRecord& p, const TileArea& tile) {
+  const auto share = [](std::int32_t a, std::int32_t b, std::int32_t c, int origin, int size) {
+    const double low = std::min(std::min(a, b), c);
+    const double high = std::max(std::max(a, b), c);
+    const double inside = std::min(high, (static_cast<double>(origin) + size) * kSubpixelUnits) -
+                          std::max(low, static_cast<double>(origin) * kSubpixelUnits);
+    return inside <= 0 ? 0.0 : inside / (high - low);
+  };
+  const double area =
+      std::fabs(static_cast<double>(signed_area(p))) / (2.0 * kSubpixelUnits * kSubpixelUnits);
+  return area * share(p.x[0], p.x[1], p.x[2], tile.x, tile.width) *
+         share(p.y[0], p.y[1], p.y[2], tile.y, tile.height);
 }
 
 /// @return false when the triangle has no area or no row in the tile.

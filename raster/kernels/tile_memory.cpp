@@ -30,9 +30,9 @@ HWY_INLINE void stream_row(const T* from, int count, T* to) {
   const auto misaligned =
       static_cast<int>(reinterpret_cast<std::uintptr_t>(to) % static_cast<std::uintptr_t>(bytes));
   int i = misaligned == 0 ? 0 : std::min(count, (bytes - misaligned) / static_cast<int>(sizeof(T)));
-  std::copy_n(from, i, to);
+  if (i > 0) std::copy_n(from, i, to);
   for (; i + lanes <= count; i += lanes) hn::Stream(hn::LoadU(d, from + i), d, to + i);
-  std::copy_n(from + i, count - i, to + i);
+  if (i < count) std::copy_n(from + i, count - i, to + i);
 }
 
 void ClearTile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
@@ -44,10 +44,13 @@ void ClearTile(TileSurface& tile, std::uint32_t color8, const float* color, floa
   fill_tile(tile.depth, depth);
 }
 
-void StoreTileRow(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
-                  float* depth_out) {
-  stream_row(color8, count, color8_out);
-  if (depth_out != nullptr) stream_row(depth, count, depth_out);
+void StoreTile(const TilePixels& tile, int width, int height, const FramePixels& frame) {
+  for (int row = 0; row < height; ++row) {
+    stream_row(tile.color8 + row * kTileWidth, width, frame.color8 - row * frame.pitch);
+    if (frame.depth != nullptr) {
+      stream_row(tile.depth + row * kTileWidth, width, frame.depth - row * frame.pitch);
+    }
+  }
 }
 
 void StoreFloatRow(const TileSurface& tile, int row, int count, float* out) {
@@ -72,16 +75,15 @@ HWY_AFTER_NAMESPACE();
 namespace barrido::raster {
 
 HWY_EXPORT(ClearTile);
-HWY_EXPORT(StoreTileRow);
+HWY_EXPORT(StoreTile);
 HWY_EXPORT(StoreFloatRow);
 
 void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
   HWY_DYNAMIC_DISPATCH(ClearTile)(tile, color8, color, depth);
 }
 
-void store_tile_row(const std::uint32_t* color8, const float* depth, int count, std::uint32_t* color8_out,
-                    float* depth_out) {
-  HWY_DYNAMIC_DISPATCH(StoreTileRow)(color8, depth, count, color8_out, depth_out);
+void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame) {
+  HWY_DYNAMIC_DISPATCH(StoreTile)(tile, width, height, frame);
 }
 
 void store_float_row(const TileSurface& tile, int row, int count, float* out) {

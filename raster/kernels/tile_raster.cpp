@@ -11,40 +11,17 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/kernels/depth-inl.h"
-#include "raster/kernels/interpolate-inl.h"
-#include "raster/kernels/planes-inl.h"
+#include "raster/kernels/span_shader-inl.h"
 #include "raster/kernels/spans-inl.h"
+#include "raster/kernels/visibility-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Columns and rows, relative to the tile, that the scissor leaves.
-struct ScissorBox {
-  int x_begin = 0, y_begin = 0, x_end = kTileWidth, y_end = kTileHeight;
-};
-
-ScissorBox scissor_in(const Scissor& scissor, const TileArea& tile) {
-  if (!scissor.enabled) return {};
-  const auto relative = [](std::int64_t v, int origin, int limit) {
-    return static_cast<int>(std::clamp<std::int64_t>(v - origin, 0, limit));
-  };
-  return {relative(scissor.x, tile.x, kTileWidth), relative(scissor.y, tile.y, kTileHeight),
-          relative(static_cast<std::int64_t>(scissor.x) + std::max(scissor.width, 0), tile.x, kTileWidth),
-          relative(static_cast<std::int64_t>(scissor.y) + std::max(scissor.height, 0), tile.y, kTileHeight)};
-}
-
-/// Opaque: what is behind a fragment that passes its tests does not matter.
-bool is_opaque(const FragmentState& state) {
-  return !state.blend.enabled && !state.alpha_test.enabled &&
-         state.color_mask == std::array{true, true, true, true};
-}
-
-/// The colours of a flat primitive; black and transparent where the chunk has none.
-const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
-  static constexpr FlatColors kNone{};
-  return chunk.flat.empty() ? kNone : chunk.flat[p.flat_and_facing & ~kBackFacing];
+/// Opaque triangles: what is behind a fragment that passes its tests does not matter.
+bool hides_what_is_behind(const PrimitiveChunk& chunk) {
+  return chunk.topology == Topology::triangles && is_opaque(*chunk.state);
 }
 
 /// Calls visit(row, first, end) for each span of a primitive in the tile.
@@ -65,13 +42,14 @@ class TileRasterizer {
   TileRasterizer(const TileJob& job, TileWorkspace& workspace)
       : job_(job),
         workspace_(workspace),
-        tile_{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height} {}
+        tile_{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height},
+        shader_(workspace, tile_) {}
 
   void run() {
     const auto& chunks = *job_.chunks;
     for (std::size_t begin = 0; begin < chunks.size();) {
       std::size_t end = begin;
-      while (end < chunks.size() && is_opaque(*chunks[end]->chunk().state)) ++end;
+      while (end < chunks.size() && hides_what_is_behind(chunks[end]->chunk())) ++end;
       if (end > begin && job_.visibility_first && overlaps(begin, end)) {
         draw_visible(begin, end);
       } else {
@@ -80,7 +58,7 @@ class TileRasterizer {
       }
       begin = end;
     }
-    flush();
+    shader_.flush();
   }
 
  private:
@@ -88,172 +66,67 @@ class TileRasterizer {
     return binned.primitives_in(job_.column, job_.row);
   }
 
-  /// Whether the opaque chunks [begin, end) are likely to cover the tile more than once, judged by their
-  /// areas. A rule of speed alone; both ways give the same bits.
+  /// Whether the triangles of chunks [begin, end) are likely to cover the tile more than once, judged by
+  /// their areas and bounding boxes. A rule of speed alone; both ways give the same bits.
   bool overlaps(std::size_t begin, std::size_t end) const {
-    const std::int64_t tile_area = static_cast<std::int64_t>(tile_.width) * tile_.height;
-    std::int64_t covered = 0;
+    const double tile_area = static_cast<double>(tile_.width) * tile_.height;
+    double covered = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const PrimitiveChunk& chunk = (*job_.chunks)[i]->chunk();
-      if (chunk.topology != Topology::triangles) continue;
       for (const std::uint16_t number : primitives_of(*(*job_.chunks)[i])) {
-        const std::int64_t area =
-            std::abs(signed_area(chunk.primitives[number])) / (2 * kSubpixelUnits * kSubpixelUnits);
-        covered += area < tile_area ? area : area_in_tile(chunk.primitives[number]);
+        covered += area_in_tile(chunk.primitives[number], tile_);
       }
     }
-    return 2 * covered > 3 * tile_area;
-  }
-
-  /// Of a triangle larger than the tile: half the part of its bounding box that lies in the tile, or all of
-  /// the tile.
-  std::int64_t area_in_tile(const PrimitiveRecord& p) const {
-    TriangleSpans spans;
-    if (!triangle_spans(p, tile_, spans)) return 0;
-    const int middle = (spans.row_begin + spans.row_end) / 2;
-    return static_cast<std::int64_t>(std::max(spans.end[middle] - spans.first[middle], 0)) *
-           (spans.row_end - spans.row_begin);
-  }
-
-  /// Planes and row values for a primitive; false when it has none.
-  bool set_up(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
-    const int stride = record_stride(chunk.state->varyings.count);
-    const float* r0 = chunk.record(p.vertex[0], stride);
-    span_.planes = &planes_;
-    if (chunk.topology == Topology::triangles) {
-      const float* r1 = chunk.record(p.vertex[1], stride);
-      const float* r2 = chunk.record(p.vertex[2], stride);
-      set_up_triangle(triangle_frame(p), r0, r1, r2, stride, chunk.state->polygon_offset, planes_);
-      span_.constant_q = r0[kRecordQ] == 1.0f && r1[kRecordQ] == 1.0f && r2[kRecordQ] == 1.0f;
-    } else if (chunk.topology == Topology::lines) {
-      set_up_line(p, r0, chunk.record(p.vertex[1], stride), stride, planes_);
-      span_.constant_q = false;
-    } else {
-      set_up_point(p, r0, stride, planes_);
-      span_.constant_q = false;
-    }
-    return true;
+    return covered > 1.5 * tile_area;
   }
 
   /// All shading in drawing order: blending, alpha test, or nothing to gain from resolving visibility first.
   void draw_in_order(const BinnedChunk& binned) {
     const PrimitiveChunk& chunk = binned.chunk();
-    const FragmentState& state = *chunk.state;
-    const ScissorBox scissor = scissor_in(state.scissor, tile_);
-    const bool write_depth_now = state.depth.write && !state.alpha_test.enabled;
+    const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
+    shader_.begin_chunk(chunk);
     for (const std::uint16_t number : primitives_of(binned)) {
       const PrimitiveRecord& p = chunk.primitives[number];
-      begin_primitive(state, p);
-      bool ready = false;
+      shader_.begin_primitive(p);
       for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
         const int x_begin = std::max(first, scissor.x_begin);
         const int x_end = std::min(end, scissor.x_end);
         ++workspace_.statistics.spans;
         workspace_.statistics.fragments_covered += static_cast<std::uint64_t>(end - first);
         if (x_begin >= x_end || row < scissor.y_begin || row >= scissor.y_end) return;
-        if (!ready) ready = set_up(chunk, p);
-        evaluate_row(planes_, tile_.x + first, tile_.y + row, span_.row);
-        span_.anchor = first;
-        span_.last = end - 1;
-        const SpanDepth depth{span_.row[kRecordDepth], planes_.slope_x[kRecordDepth], first};
-        append_passing(chunk, p, state, depth, write_depth_now, row, x_begin, x_end);
+        shader_.start_span(row, first, end);
+        shader_.shade_passing(row, x_begin, x_end);
       });
       // A later primitive's depth test must see what the alpha test lets through.
-      if (state.alpha_test.enabled) flush();
+      if (chunk.state->alpha_test.enabled) shader_.flush();
     }
   }
 
-  /// Tests a span's depth and appends the runs of pixels that pass.
-  HWY_INLINE void append_passing(const PrimitiveChunk& chunk, const PrimitiveRecord& p,
-                                 const FragmentState& state, const SpanDepth& depth, bool write, int row,
-                                 int x_begin, int x_end) {
-    if (!state.depth.test) return append(chunk, p, row, x_begin, x_end);
-    const hn::ScalableTag<float> d;
-    int run_begin = -1;  // of the run that is open
-    test_depth(state.depth, write, workspace_.surface.depth + row * kTileWidth, depth, x_begin, x_end,
-               [&](int x, auto mask) HWY_ATTR {
-                 if (run_begin >= 0 && hn::AllTrue(d, mask)) return;
-                 unsigned bits = mask_bits(d, mask);
-                 if (run_begin >= 0 && (bits & 1u) == 0) {  // the open run ended with the last vector
-                   append(chunk, p, row, run_begin, x);
-                   run_begin = -1;
-                 }
-                 const int lanes = static_cast<int>(hn::Lanes(d));
-                 while (bits != 0 || run_begin >= 0) {
-                   if (run_begin < 0) {
-                     const int begin = __builtin_ctz(bits);
-                     run_begin = x + begin;
-                     bits |= (1u << begin) - 1u;
-                   }
-                   const int end = ~bits == 0 ? lanes : __builtin_ctz(~bits);
-                   if (end >= lanes) return;  // open to the next vector
-                   append(chunk, p, row, run_begin, x + end);
-                   run_begin = -1;
-                   bits &= ~0u << end;
-                 }
-               });
-    if (run_begin >= 0) append(chunk, p, row, run_begin, x_end);
-  }
-
-  /// Visibility before shading: the chunks write depth and span number only; then each visible run is shaded
-  /// once.
+  /// Visibility before shading: the chunks write depth and marks only; then each visible run is shaded once.
   void draw_visible(std::size_t begin, std::size_t end) {
-    workspace_.spans.clear();
+    shader_.flush();
     workspace_.primitives.clear();
     workspace_.runs.clear();
-    for (std::size_t i = begin; i < end; ++i) resolve_visibility(*(*job_.chunks)[i]);
-    if (workspace_.spans.empty()) return;
+    VisibilityPass pass(workspace_, tile_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const BinnedChunk& binned = *(*job_.chunks)[i];
+      const PrimitiveChunk& chunk = binned.chunk();
+      const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
+      for (const std::uint16_t number : primitives_of(binned)) {
+        pass.add(chunk, chunk.primitives[number], scissor);
+      }
+    }
+    if (workspace_.primitives.empty()) return;
+    pass.resolve();
     collect_runs();
+    const PrimitiveChunk* chunk = nullptr;
     for (const TilePrimitive& primitive : workspace_.primitives) {
-      if (primitive.first_run >= 0) shade_visible(primitive);
+      if (primitive.first_run < 0) continue;
+      if (primitive.chunk != chunk) shader_.begin_chunk(*primitive.chunk);
+      chunk = primitive.chunk;
+      shade_visible(primitive);
     }
     std::memset(workspace_.surface.visible_span, 0, sizeof(workspace_.surface.visible_span));
-  }
-
-  void resolve_visibility(const BinnedChunk& binned) {
-    const PrimitiveChunk& chunk = binned.chunk();
-    const FragmentState& state = *chunk.state;
-    const ScissorBox scissor = scissor_in(state.scissor, tile_);
-    for (const std::uint16_t number : primitives_of(binned)) {
-      const PrimitiveRecord& p = chunk.primitives[number];
-      const auto position = static_cast<std::uint32_t>(workspace_.primitives.size());
-      const DepthPlane plane = depth_plane(chunk, p);
-      const auto slope = static_cast<float>(plane.ddx);
-      bool met = false;
-      for_each_span(chunk, p, tile_, [&](int row, int first, int end_column) HWY_ATTR {
-        const int x_begin = std::max(first, scissor.x_begin);
-        const int x_end = std::min(end_column, scissor.x_end);
-        ++workspace_.statistics.spans;
-        workspace_.statistics.fragments_covered += static_cast<std::uint64_t>(end_column - first);
-        if (x_begin >= x_end || row < scissor.y_begin || row >= scissor.y_end) return;
-        met = true;
-        workspace_.spans.push_back({position, static_cast<std::int16_t>(row),
-                                    static_cast<std::int16_t>(first),
-                                    static_cast<std::int16_t>(end_column - 1)});
-        const auto span_number = static_cast<std::uint32_t>(workspace_.spans.size());  // 0 is "none"
-        const SpanDepth depth{plane.at(tile_.x + first, tile_.y + row), slope, first};
-        const hn::ScalableTag<std::uint32_t> du;
-        std::uint32_t* visible = workspace_.surface.visible_span + row * kTileWidth;
-        test_depth(state.depth, state.depth.write, workspace_.surface.depth + row * kTileWidth, depth,
-                   x_begin, x_end, [&](int x, auto mask) HWY_ATTR {
-                     hn::BlendedStore(hn::Set(du, span_number), hn::RebindMask(du, mask), du, visible + x);
-                   });
-      });
-      if (met) workspace_.primitives.push_back({&chunk, &p, -1});
-    }
-  }
-
-  DepthPlane depth_plane(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
-    const int stride = record_stride(chunk.state->varyings.count);
-    if (chunk.topology == Topology::triangles) {
-      return triangle_depth_plane(triangle_frame(p), chunk.record(p.vertex[0], stride)[kRecordDepth],
-                                  chunk.record(p.vertex[1], stride)[kRecordDepth],
-                                  chunk.record(p.vertex[2], stride)[kRecordDepth],
-                                  chunk.state->polygon_offset);
-    }
-    set_up(chunk, p);
-    return {planes_.x0, planes_.y0, planes_.base[kRecordDepth], planes_.ddx[kRecordDepth],
-            planes_.ddy[kRecordDepth]};
   }
 
   /// Cuts the tile's rows into runs of one span and hands each to its primitive.
@@ -261,12 +134,11 @@ class TileRasterizer {
     for (int row = 0; row < tile_.height; ++row) {
       const std::uint32_t* visible = workspace_.surface.visible_span + row * kTileWidth;
       for (int x = 0; x < tile_.width;) {
-        const std::uint32_t span = visible[x];
         const int end = end_of_run(visible, x, tile_.width);
-        if (span != 0) {
-          TilePrimitive& primitive = workspace_.primitives[workspace_.spans[span - 1].primitive];
-          workspace_.runs.push_back(
-              {span - 1, static_cast<std::int16_t>(x), static_cast<std::int16_t>(end), primitive.first_run});
+        if (visible[x] != 0) {
+          TilePrimitive& primitive = workspace_.primitives[primitive_of(visible[x])];
+          workspace_.runs.push_back({static_cast<std::int16_t>(row), static_cast<std::int16_t>(x),
+                                     static_cast<std::int16_t>(end), primitive.first_run});
           primitive.first_run = static_cast<std::int32_t>(workspace_.runs.size()) - 1;
         }
         x = end;
@@ -289,66 +161,21 @@ class TileRasterizer {
   }
 
   void shade_visible(const TilePrimitive& primitive) {
-    const PrimitiveChunk& chunk = *primitive.chunk;
-    begin_primitive(*chunk.state, *primitive.record);
-    set_up(chunk, *primitive.record);
-    std::uint32_t evaluated = ~0u;
+    shader_.begin_primitive(*primitive.record);
+    int started = -1;
     for (std::int32_t i = primitive.first_run; i >= 0;
          i = workspace_.runs[static_cast<std::size_t>(i)].next) {
       const VisibleRun& run = workspace_.runs[static_cast<std::size_t>(i)];
-      const SpanRecord& span = workspace_.spans[run.span];
-      if (run.span != evaluated) {
-        evaluate_row(planes_, tile_.x + span.first, tile_.y + span.row, span_.row);
-        evaluated = run.span;
-      }
-      span_.anchor = span.first;
-      span_.last = span.last;
-      append(chunk, *primitive.record, span.row, run.begin, run.end);
+      if (run.row != started) shader_.start_span(run.row, primitive.first[run.row], primitive.end[run.row]);
+      started = run.row;
+      shader_.shade(run.row, run.begin, run.end);
     }
-  }
-
-  /// The batch holds fragments of one state and one facing.
-  void begin_primitive(const FragmentState& state, const PrimitiveRecord& p) {
-    FragmentBatch& batch = workspace_.batch;
-    const bool back_facing = (p.flat_and_facing & kBackFacing) != 0;
-    if (batch.count > 0 && (batch.state != &state || batch.back_facing != back_facing)) flush();
-    batch.state = &state;
-    batch.back_facing = back_facing;
-  }
-
-  /// Appends columns [begin, end) of the current span to the batch.
-  HWY_INLINE void append(const PrimitiveChunk& chunk, const PrimitiveRecord& p, int row, int begin, int end) {
-    FragmentBatch& batch = workspace_.batch;
-    const FragmentState& state = *batch.state;
-    const VaryingLayout& layout = state.varyings;
-    while (begin < end) {
-      const int at = batch.count;
-      const int count = std::min(end - begin, kBatchCapacity - at);
-      interpolate_varyings(span_, layout, begin, count, batch, at);
-      if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
-      for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-        if (is_active(state, unit) && needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
-          interpolate_lod(span_, state, unit, begin, count, batch, at);
-        }
-      }
-      if (state.illumination.function == nullptr) fill_flat(flat_colors(chunk, p), state, count, batch, at);
-      batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
-                                       static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
-      batch.count = at + count;
-      begin += count;
-      if (batch.count == kBatchCapacity) flush();
-    }
-  }
-
-  void flush() {
-    if (workspace_.batch.count > 0) shade_batch(workspace_);
   }
 
   const TileJob& job_;
   TileWorkspace& workspace_;
   const TileArea tile_;
-  InterpolatedSpan span_;
-  Planes planes_;
+  SpanShader shader_;
 };
 
 void RasterizeTile(const TileJob& job, TileWorkspace& workspace) { TileRasterizer(job, workspace).run(); }

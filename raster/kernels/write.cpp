@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/blend-inl.h"
 #include "raster/kernels/depth-inl.h"
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
@@ -18,18 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::ScalableTag<float>;
-using V = hn::Vec<F>;
 using M = hn::Mask<F>;
-
-HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
-HWY_INLINE V clamp01(V c) {
-  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F())), one());
-}
-
-struct Rgba {
-  V c[4];
-};
 
 void add_specular(FragmentBatch& batch) {
   const F d;
@@ -72,143 +62,6 @@ void apply_fog(FragmentBatch& batch) {
       hn::Store(hn::Add(hn::Mul(f, hn::Load(d, batch.color[c] + i)), fog_part), d, batch.color[c] + i);
     }
   }
-}
-
-/// Factor of one channel; `s` and `t` are source and destination.
-HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, const BlendState& blend,
-                          int channel) {
-  const F d;
-  const auto constant = [&](int c)
-                            HWY_ATTR { return hn::Set(d, blend.constant[static_cast<std::size_t>(c)]); };
-  switch (factor) {
-    case BlendFactor::zero:
-      return hn::Zero(d);
-    case BlendFactor::one:
-      return one();
-    case BlendFactor::src_color:
-      return s.c[channel];
-    case BlendFactor::one_minus_src_color:
-      return hn::Sub(one(), s.c[channel]);
-    case BlendFactor::dst_color:
-      return t.c[channel];
-    case BlendFactor::one_minus_dst_color:
-      return hn::Sub(one(), t.c[channel]);
-    case BlendFactor::src_alpha:
-      return s.c[3];
-    case BlendFactor::one_minus_src_alpha:
-      return hn::Sub(one(), s.c[3]);
-    case BlendFactor::dst_alpha:
-      return t.c[3];
-    case BlendFactor::one_minus_dst_alpha:
-      return hn::Sub(one(), t.c[3]);
-    case BlendFactor::constant_color:
-      return constant(channel);
-    case BlendFactor::one_minus_constant_color:
-      return hn::Sub(one(), constant(channel));
-    case BlendFactor::constant_alpha:
-      return constant(3);
-    case BlendFactor::one_minus_constant_alpha:
-      return hn::Sub(one(), constant(3));
-    case BlendFactor::src_alpha_saturate:
-      break;
-  }
-  return channel == 3 ? one() : barrido::HWY_NAMESPACE::minimum(s.c[3], hn::Sub(one(), t.c[3]));
-}
-
-/// No blending: the source replaces what is there.
-struct Replace {
-  static constexpr bool kReads = false;
-  explicit Replace(const BlendState&) {}
-  HWY_INLINE Rgba operator()(const Rgba& source, const Rgba&) const { return source; }
-};
-
-/// Factors that are the same for all fragments, added: kept in registers.
-struct BlendConstant {
-  static constexpr bool kReads = true;
-  Rgba source, destination;
-
-  static bool fits(const BlendState& blend) {
-    const auto constant = [](BlendFactor f) {
-      return f == BlendFactor::zero || f == BlendFactor::one ||
-             (f >= BlendFactor::constant_color && f <= BlendFactor::one_minus_constant_alpha);
-    };
-    return blend.equation == BlendEquation::add && constant(blend.src_rgb) && constant(blend.dst_rgb) &&
-           constant(blend.src_alpha) && constant(blend.dst_alpha);
-  }
-  explicit BlendConstant(const BlendState& blend) {
-    const V zero = hn::Zero(F());
-    const Rgba none{{zero, zero, zero, zero}};
-    for (int c = 0; c < 4; ++c) {
-      source.c[c] = blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, none, none, blend, c);
-      destination.c[c] = blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, none, none, blend, c);
-    }
-  }
-  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
-    Rgba out;
-    for (int c = 0; c < 4; ++c)
-      out.c[c] = hn::Add(hn::Mul(s.c[c], source.c[c]), hn::Mul(t.c[c], destination.c[c]));
-    return out;
-  }
-};
-
-/// The usual transparency: source alpha, one minus source alpha.
-struct BlendSourceAlpha {
-  static constexpr bool kReads = true;
-
-  static bool fits(const BlendState& blend) {
-    return blend.equation == BlendEquation::add && blend.src_rgb == BlendFactor::src_alpha &&
-           blend.src_alpha == BlendFactor::src_alpha && blend.dst_rgb == BlendFactor::one_minus_src_alpha &&
-           blend.dst_alpha == BlendFactor::one_minus_src_alpha;
-  }
-  explicit BlendSourceAlpha(const BlendState&) {}
-  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
-    const V behind = hn::Sub(one(), s.c[3]);
-    Rgba out;
-    for (int c = 0; c < 4; ++c) out.c[c] = hn::Add(hn::Mul(s.c[c], s.c[3]), hn::Mul(t.c[c], behind));
-    return out;
-  }
-};
-
-/// Any factors and equation.
-struct BlendGeneral {
-  static constexpr bool kReads = true;
-  const BlendState& blend;
-
-  explicit BlendGeneral(const BlendState& b) : blend(b) {}
-  HWY_INLINE V channel(const Rgba& s, const Rgba& t, int c) const {
-    if (blend.equation == BlendEquation::min) return barrido::HWY_NAMESPACE::minimum(s.c[c], t.c[c]);
-    if (blend.equation == BlendEquation::max) return barrido::HWY_NAMESPACE::maximum(s.c[c], t.c[c]);
-    const V a = hn::Mul(s.c[c], blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, s, t, blend, c));
-    const V b = hn::Mul(t.c[c], blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, s, t, blend, c));
-    if (blend.equation == BlendEquation::subtract) return hn::Sub(a, b);
-    return blend.equation == BlendEquation::reverse_subtract ? hn::Sub(b, a) : hn::Add(a, b);
-  }
-  HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
-    return {{channel(s, t, 0), channel(s, t, 1), channel(s, t, 2), channel(s, t, 3)}};
-  }
-};
-
-/// Rounded to 8 bits a channel. Adding 2^23 leaves the nearest integer, ties to even, in the low bits of the
-/// sum.
-HWY_INLINE auto pack8(const Rgba& color) {
-  const hn::RebindToSigned<F> di;
-  const auto byte = [&](int c) HWY_ATTR {
-    const V scaled = hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f));
-    return hn::BitCast(di, hn::Add(scaled, hn::Set(F(), 8388608.0f)));
-  };
-  return hn::Or(hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::ShiftLeft<8>(byte(1))),
-                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
-}
-
-template <class VI>
-HWY_INLINE Rgba unpack8(VI packed) {
-  const F d;
-  const hn::RebindToSigned<F> di;
-  const auto channel = [&](auto shifted) HWY_ATTR {
-    return hn::Mul(hn::ConvertTo(d, hn::And(shifted, hn::Set(di, 255))), hn::Set(d, 1.0f / 255.0f));
-  };
-  return {{channel(packed), channel(hn::ShiftRight<8>(packed)), channel(hn::ShiftRight<16>(packed)),
-           channel(hn::ShiftRight<24>(packed))}};
 }
 
 /// The 8-bit surface: rows of packed pixels.

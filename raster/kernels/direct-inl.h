@@ -1,0 +1,110 @@
+// Shading without a detour: colours that need neither textures nor illumination per fragment nor fog go from
+// the span's planes straight to the 8-bit surface. The same operations as the batch's stages
+// (shade_batch.cpp), so the same bits; what is saved is their way through memory, which costs more than the
+// arithmetic.
+#if defined(BARRIDO_DIRECT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_DIRECT_INL_H
+#undef BARRIDO_DIRECT_INL_H
+#else
+#define BARRIDO_DIRECT_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "raster/kernels/blend-inl.h"
+#include "raster/kernels/depth-inl.h"
+#include "raster/kernels/interpolate-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// How a chunk's fragments reach the surface.
+enum class Route : std::uint8_t {
+  batch,  ///< By the stages of shade_batch.
+  flat,   ///< One colour a primitive, opaque.
+  smooth,
+  smooth_blend_constant,
+  smooth_blend_source_alpha,
+};
+
+inline bool is_opaque(const FragmentState& state) {
+  return !state.blend.enabled && !state.alpha_test.enabled &&
+         state.color_mask == std::array{true, true, true, true};
+}
+
+inline Route route_of(const FragmentState& state, ColorFormat format) {
+  bool textured = false;
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) textured |= is_active(state, unit);
+  if (format != ColorFormat::rgba8 || textured || state.illumination.function != nullptr ||
+      state.fog.enabled || state.separate_specular || state.alpha_test.enabled ||
+      state.color_mask != std::array{true, true, true, true}) {
+    return Route::batch;
+  }
+  if (state.varyings.color == kAbsent) return state.blend.enabled ? Route::batch : Route::flat;
+  if (!state.blend.enabled) return Route::smooth;
+  if (BlendConstant::fits(state.blend)) return Route::smooth_blend_constant;
+  return BlendSourceAlpha::fits(state.blend) ? Route::smooth_blend_source_alpha : Route::batch;
+}
+
+using Pixels = std::int32_t*;  ///< A row of the surface, packed 8-bit colours.
+
+/// One colour for all pixels of a primitive.
+class FlatPixels {
+ public:
+  explicit FlatPixels(const float* color)
+      : packed_(pack8({{hn::Set(F(), color[0]), hn::Set(F(), color[1]), hn::Set(F(), color[2]),
+                        hn::Set(F(), color[3])}})) {}
+
+  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask) const {
+    const hn::RebindToSigned<F> di;
+    hn::BlendedStore(packed_, hn::RebindMask(di, mask), di, row + x);
+  }
+
+ private:
+  hn::Vec<hn::RebindToSigned<F>> packed_;
+};
+
+/// Interpolated colours of one span, blended with what is there unless Blend is Replace.
+template <class Blend>
+class SmoothPixels {
+ public:
+  SmoothPixels(const VaryingLayout& layout, const InterpolatedSpan& span, const Blend& blend)
+      : span_(span),
+        blend_(blend),
+        color_(kRecordVaryings + layout.color),
+        divides_(layout.color >= layout.affine_count && !span.constant_q) {}
+
+  /// The vector of pixels from column x on.
+  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask) const {
+    const F d;
+    const hn::RebindToSigned<F> di;
+    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - span_.anchor));
+    const auto linear = [&](int quantity) HWY_ATTR {
+      return hn::Add(hn::Set(d, span_.row[quantity]),
+                     hn::Mul(hn::Set(d, span_.planes->slope_x[quantity]), k));
+    };
+    Rgba color{{linear(color_), linear(color_ + 1), linear(color_ + 2), linear(color_ + 3)}};
+    if (divides_) {
+      const V q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
+      const V w = hn::Div(one(), q);
+      for (V& c : color.c) c = hn::Mul(c, w);
+    }
+    if constexpr (Blend::kReads) {
+      for (V& c : color.c) c = clamp01(c);
+      color = blend_(color, unpack8(hn::LoadU(di, row + x)));
+    }
+    hn::BlendedStore(pack8(color), hn::RebindMask(di, mask), di, row + x);
+  }
+
+ private:
+  const InterpolatedSpan& span_;
+  const Blend& blend_;
+  const int color_;
+  const bool divides_;
+};
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,229 @@
+// From spans to pixels: sets up a primitive's planes, tests depth, and sends each run of pixels on its route:
+// whole batches of fragments to shade_batch, simple colours straight to the surface.
+#if defined(BARRIDO_SPAN_SHADER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_SPAN_SHADER_INL_H
+#undef BARRIDO_SPAN_SHADER_INL_H
+#else
+#define BARRIDO_SPAN_SHADER_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "raster/kernels/depth-inl.h"
+#include "raster/kernels/direct-inl.h"
+#include "raster/kernels/interpolate-inl.h"
+#include "raster/kernels/kernels.h"
+#include "raster/kernels/planes-inl.h"
+#include "raster/kernels/spans-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The colours of a flat primitive; black and transparent where the chunk has none.
+const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
+  static constexpr FlatColors kNone{};
+  return chunk.flat.empty() ? kNone : chunk.flat[p.flat_and_facing & ~kBackFacing];
+}
+
+/// Shades spans one primitive at a time: begin_chunk, begin_primitive, then for each span start_span and what
+/// is to be drawn of it. Fragments may stay in the batch until flush().
+class SpanShader {
+ public:
+  SpanShader(TileWorkspace& workspace, const TileArea& tile) : workspace_(workspace), tile_(tile) {}
+
+  void begin_chunk(const PrimitiveChunk& chunk) {
+    const FragmentState& state = *chunk.state;
+    chunk_ = &chunk;
+    route_ = route_of(state, workspace_.surface.format);
+    writes_depth_now_ = state.depth.write && !state.alpha_test.enabled;
+    const bool divides = state.varyings.count > state.varyings.affine_count;
+    interpolations_ = static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
+    if (route_ == Route::smooth_blend_constant) blend_constant_ = BlendConstant(state.blend);
+    lod_units_ = 0;
+    for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+      const bool needed =
+          is_active(state, unit) && needs_lod(state.texture_units[static_cast<std::size_t>(unit)]);
+      lod_units_ |= static_cast<unsigned>(needed) << unit;
+    }
+  }
+
+  /// The batch holds fragments of one state and one facing.
+  void begin_primitive(const PrimitiveRecord& p) {
+    FragmentBatch& batch = workspace_.batch;
+    const bool back_facing = (p.flat_and_facing & kBackFacing) != 0;
+    if (batch.count > 0 && (batch.state != chunk_->state || batch.back_facing != back_facing)) flush();
+    batch.state = chunk_->state;
+    batch.back_facing = back_facing;
+    primitive_ = &p;
+    is_set_up_ = false;
+  }
+
+  /// The span of a row, columns [first, end) before the scissor: interpolation is anchored at `first`.
+  void start_span(int row, int first, int end) {
+    if (!is_set_up_) set_up();
+    evaluate_row(planes_, tile_.x + first, tile_.y + row, span_.row);
+    span_.anchor = first;
+    span_.last = end - 1;
+  }
+
+  /// Columns [begin, end) of the span, all of them seen.
+  void shade(int row, int begin, int end) {
+    if (route_ == Route::batch) return append(row, begin, end);
+    const hn::ScalableTag<float> d;
+    count_shaded(end - begin);
+    with_pixels([&](const auto& pixels) HWY_ATTR {
+      const Pixels to = row_pixels(row);
+      const int lanes = static_cast<int>(hn::Lanes(d));
+      for (int x = begin & ~(lanes - 1); x < end; x += lanes) pixels(to, x, columns_mask(d, x, begin, end));
+    });
+  }
+
+  /// Those of columns [begin, end) that pass the depth test.
+  void shade_passing(int row, int begin, int end) {
+    const DepthState& state = chunk_->state->depth;
+    if (!state.test) return shade(row, begin, end);
+    if (route_ == Route::batch) return append_passing(row, begin, end);
+    const hn::ScalableTag<float> d;
+    std::size_t passed = 0;
+    with_pixels([&](const auto& pixels) HWY_ATTR {
+      const Pixels to = row_pixels(row);
+      test_depth(state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
+                 end, [&](int x, auto mask) HWY_ATTR {
+                   if (hn::AllFalse(d, mask)) return;
+                   passed += hn::CountTrue(d, mask);
+                   pixels(to, x, mask);
+                 });
+    });
+    count_shaded(static_cast<int>(passed));
+  }
+
+  void flush() {
+    if (workspace_.batch.count > 0) shade_batch(workspace_);
+  }
+
+ private:
+  SpanDepth span_depth() const {
+    return {span_.row[kRecordDepth], planes_.slope_x[kRecordDepth], span_.anchor};
+  }
+  Pixels row_pixels(int row) const {
+    return reinterpret_cast<Pixels>(workspace_.surface.color8 + row * kTileWidth);
+  }
+
+  /// Counted where no batch does it.
+  void count_shaded(int fragments) {
+    workspace_.statistics.fragments_shaded += static_cast<std::uint64_t>(fragments);
+    workspace_.statistics.interpolations += static_cast<std::uint64_t>(fragments) * interpolations_;
+  }
+
+  /// Calls draw(pixels) with what makes the span's colours.
+  template <class Draw>
+  HWY_INLINE void with_pixels(Draw&& draw) {
+    const FragmentState& state = *chunk_->state;
+    switch (route_) {
+      case Route::flat:
+        return draw(FlatPixels(flat_colors(*chunk_, *primitive_).color));
+      case Route::smooth_blend_constant:
+        return draw(SmoothPixels<BlendConstant>(state.varyings, span_, blend_constant_));
+      case Route::smooth_blend_source_alpha:
+        return draw(SmoothPixels<BlendSourceAlpha>(state.varyings, span_, BlendSourceAlpha(state.blend)));
+      case Route::smooth:
+      case Route::batch:
+        break;
+    }
+    draw(SmoothPixels<Replace>(state.varyings, span_, Replace(state.blend)));
+  }
+
+  void set_up() {
+    const PrimitiveChunk& chunk = *chunk_;
+    const PrimitiveRecord& p = *primitive_;
+    const int stride = record_stride(chunk.state->varyings.count);
+    const float* r0 = chunk.record(p.vertex[0], stride);
+    span_.planes = &planes_;
+    if (chunk.topology == Topology::triangles) {
+      const float* r1 = chunk.record(p.vertex[1], stride);
+      const float* r2 = chunk.record(p.vertex[2], stride);
+      set_up_triangle(triangle_frame(p), r0, r1, r2, stride, chunk.state->polygon_offset, planes_);
+      span_.constant_q = r0[kRecordQ] == 1.0f && r1[kRecordQ] == 1.0f && r2[kRecordQ] == 1.0f;
+    } else if (chunk.topology == Topology::lines) {
+      set_up_line(p, r0, chunk.record(p.vertex[1], stride), stride, planes_);
+      span_.constant_q = false;
+    } else {
+      set_up_point(p, r0, stride, planes_);
+      span_.constant_q = false;
+    }
+    is_set_up_ = true;
+  }
+
+  /// Tests the span's depth and appends the runs of pixels that pass.
+  void append_passing(int row, int x_begin, int x_end) {
+    const hn::ScalableTag<float> d;
+    int run_begin = -1;  // of the run that is open
+    test_depth(chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth,
+               span_depth(), x_begin, x_end, [&](int x, auto mask) HWY_ATTR {
+                 if (run_begin >= 0 && hn::AllTrue(d, mask)) return;
+                 unsigned bits = mask_bits(d, mask);
+                 if (run_begin >= 0 && (bits & 1u) == 0) {  // the open run ended with the last vector
+                   append(row, run_begin, x);
+                   run_begin = -1;
+                 }
+                 const int lanes = static_cast<int>(hn::Lanes(d));
+                 while (bits != 0 || run_begin >= 0) {
+                   if (run_begin < 0) {
+                     const int begin = __builtin_ctz(bits);
+                     run_begin = x + begin;
+                     bits |= (1u << begin) - 1u;
+                   }
+                   const int end = ~bits == 0 ? lanes : __builtin_ctz(~bits);
+                   if (end >= lanes) return;  // open to the next vector
+                   append(row, run_begin, x + end);
+                   run_begin = -1;
+                   bits &= ~0u << end;
+                 }
+               });
+    if (run_begin >= 0) append(row, run_begin, x_end);
+  }
+
+  /// Appends columns [begin, end) of the current span to the batch.
+  void append(int row, int begin, int end) {
+    FragmentBatch& batch = workspace_.batch;
+    const FragmentState& state = *batch.state;
+    const VaryingLayout& layout = state.varyings;
+    while (begin < end) {
+      const int at = batch.count;
+      const int count = std::min(end - begin, kBatchCapacity - at);
+      interpolate_varyings(span_, layout, begin, count, batch, at);
+      if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
+      for (unsigned units = lod_units_; units != 0; units &= units - 1) {
+        interpolate_lod(span_, state, __builtin_ctz(units), begin, count, batch, at);
+      }
+      if (state.illumination.function == nullptr)
+        fill_flat(flat_colors(*chunk_, *primitive_), state, count, batch, at);
+      batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
+                                       static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
+      batch.count = at + count;
+      begin += count;
+      if (batch.count == kBatchCapacity) flush();
+    }
+  }
+
+  TileWorkspace& workspace_;
+  const TileArea tile_;
+  const PrimitiveChunk* chunk_ = nullptr;
+  const PrimitiveRecord* primitive_ = nullptr;
+  Route route_ = Route::batch;
+  bool writes_depth_now_ = true;
+  bool is_set_up_ = false;
+  unsigned lod_units_ = 0;  ///< Bit u: texture unit u is on and its filters ask for the level of detail.
+  std::uint64_t interpolations_ = 0;  ///< Quantities a shaded fragment.
+  BlendConstant blend_constant_{BlendState{}};
+  InterpolatedSpan span_;
+  Planes planes_;
+};
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
