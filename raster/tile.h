@@ -17,10 +17,10 @@ namespace barrido::raster {
 /// kTileWidth, window row 0 of the tile first. Only the colour array of the frame's format is in use.
 struct TileSurface {
   ColorFormat format = ColorFormat::rgba8;
-  alignas(64) std::uint32_t color8[kTilePixels + kTilePadding];
-  alignas(64) float color_float[4][kTilePixels + kTilePadding];
-  alignas(64) float depth[kTilePixels + kTilePadding];
-  alignas(64) std::uint32_t visible_span[kTilePixels + kTilePadding];
+  alignas(64) std::uint32_t color8[kTilePixels + kSurfacePadding];
+  alignas(64) float color_float[4][kTilePixels + kSurfacePadding];
+  alignas(64) float depth[kTilePixels + kSurfacePadding];
+  alignas(64) std::uint32_t visible_span[kTilePixels + kSurfacePadding];
 };
 
 /// Depth over the window, z(x, y) = base + ddx·(x − x0) + ddy·(y − y0).

@@ -9,6 +9,8 @@ inline constexpr int kTileHeight = 32;
 inline constexpr int kTilePixels = kTileWidth * kTileHeight;
 /// Elements that kernels may touch, but not change, past the last row.
 inline constexpr int kTilePadding = 16;
+/// The same for the tile's pixels, of which blocks of several rows touch rows below the last.
+inline constexpr int kSurfacePadding = 3 * kTileWidth + kTilePadding;
 
 struct TileGrid {
   int frame_width = 0;

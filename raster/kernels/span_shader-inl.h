@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "raster/kernels/blocks-inl.h"
 #include "raster/kernels/depth-inl.h"
 #include "raster/kernels/direct-inl.h"
 #include "raster/kernels/interpolate-inl.h"
@@ -98,6 +99,23 @@ class SpanShader {
                  });
     });
     count_shaded(static_cast<int>(passed));
+  }
+
+  /// Whether small triangles may be drawn in blocks.
+  bool takes_blocks() const { return route_ == Route::flat || route_ == Route::smooth; }
+
+  /// All of a small triangle at once, its depth test included; counts it.
+  void shade_blocks(TriangleBlocks& blocks, const TriangleBox& box, bool clockwise) {
+    const int color = kRecordVaryings + chunk_->state->varyings.color;
+    const bool perspective = chunk_->state->varyings.color >= chunk_->state->varyings.affine_count;
+    const float* flat = route_ == Route::flat ? flat_colors(*chunk_, *primitive_).color : nullptr;
+    const TriangleBlocks::Counts counts = blocks.draw(*primitive_, clockwise, box, [&]() HWY_ATTR {
+      if (!is_set_up_) set_up();
+      return BlockPaint{planes_, flat, color, flat == nullptr && perspective && !span_.constant_q};
+    });
+    workspace_.statistics.spans += counts.spans;
+    workspace_.statistics.fragments_covered += counts.covered;
+    count_shaded(static_cast<int>(counts.shaded));
   }
 
   void flush() {

@@ -208,24 +208,36 @@ inline double area_in_tile(const PrimitiveRecord& p, const TileArea& tile) {
          share(p.y[0], p.y[1], p.y[2], tile.y, tile.height);
 }
 
-/// @return false when the triangle has no area or no row in the tile.
-HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
-  const std::int64_t area = signed_area(p);
-  if (area == 0) return false;
+/// The pixels of the tile that a triangle's bounding box holds, relative to the tile, half-open.
+struct TriangleBox {
+  int column_begin, column_end, row_begin, row_end;
+  bool is_small;  ///< The triangle is smaller than kSmallTriangle, in and outside the tile.
+};
+
+/// @return false when there are none.
+inline bool triangle_box(const PrimitiveRecord& p, const TileArea& tile, TriangleBox& box) {
   const std::int32_t x_min = std::min(std::min(p.x[0], p.x[1]), p.x[2]);
   const std::int32_t x_max = std::max(std::max(p.x[0], p.x[1]), p.x[2]);
   const std::int32_t y_min = std::min(std::min(p.y[0], p.y[1]), p.y[2]);
   const std::int32_t y_max = std::max(std::max(p.y[0], p.y[1]), p.y[2]);
-  const int column = std::max(first_centre_at(x_min) - tile.x, 0);
-  const int columns = std::min(first_centre_at(x_max) - tile.x, tile.width) - column;
-  if (columns <= 0) return false;
-  spans.row_begin = std::max(first_centre_at(y_min) - tile.y, 0);
-  spans.row_end = std::min(first_centre_at(y_max) - tile.y, tile.height);
-  if (spans.row_begin >= spans.row_end) return false;
+  box.column_begin = std::max(first_centre_at(x_min) - tile.x, 0);
+  box.column_end = std::min(first_centre_at(x_max) - tile.x, tile.width);
+  box.row_begin = std::max(first_centre_at(y_min) - tile.y, 0);
+  box.row_end = std::min(first_centre_at(y_max) - tile.y, tile.height);
+  box.is_small = x_max - x_min < kSmallTriangle && y_max - y_min < kSmallTriangle;
+  return box.column_begin < box.column_end && box.row_begin < box.row_end;
+}
+
+/// @return false when the triangle has no area or no row in the tile.
+HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
+  const std::int64_t area = signed_area(p);
+  TriangleBox box;
+  if (area == 0 || !triangle_box(p, tile, box)) return false;
+  spans.row_begin = box.row_begin;
+  spans.row_end = box.row_end;
   const hn::ScalableTag<std::int32_t> di;
-  if (columns <= static_cast<int>(hn::Lanes(di)) && x_max - x_min < kSmallTriangle &&
-      y_max - y_min < kSmallTriangle) {
-    small_triangle_spans(p, area < 0, column, tile, spans);
+  if (box.is_small && box.column_end - box.column_begin <= static_cast<int>(hn::Lanes(di))) {
+    small_triangle_spans(p, area < 0, box.column_begin, tile, spans);
   } else {
     large_triangle_spans(p, tile, spans);
   }

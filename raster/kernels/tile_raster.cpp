@@ -85,9 +85,12 @@ class TileRasterizer {
     const PrimitiveChunk& chunk = binned.chunk();
     const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
     shader_.begin_chunk(chunk);
+    const bool takes_blocks = chunk.topology == Topology::triangles && shader_.takes_blocks();
+    TriangleBlocks blocks(workspace_.surface, tile_, scissor, chunk.state->depth);
     for (const std::uint16_t number : primitives_of(binned)) {
       const PrimitiveRecord& p = chunk.primitives[number];
       shader_.begin_primitive(p);
+      if (takes_blocks && draw_blocks(blocks, p)) continue;
       for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
         const int x_begin = std::max(first, scissor.x_begin);
         const int x_end = std::min(end, scissor.x_end);
@@ -100,6 +103,16 @@ class TileRasterizer {
       // A later primitive's depth test must see what the alpha test lets through.
       if (chunk.state->alpha_test.enabled) shader_.flush();
     }
+  }
+
+  /// @return false when the triangle is too large for that.
+  bool draw_blocks(TriangleBlocks& blocks, const PrimitiveRecord& p) {
+    TriangleBox box;
+    if (!triangle_box(p, tile_, box)) return true;
+    if (!box.is_small || box.column_end - box.column_begin > kMostBlockColumns) return false;
+    const std::int64_t area = signed_area(p);
+    if (area != 0) shader_.shade_blocks(blocks, box, area < 0);
+    return true;
   }
 
   /// Visibility before shading: the chunks write depth and marks only; then each visible run is shaded once.

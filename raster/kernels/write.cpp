@@ -86,7 +86,7 @@ struct Surface8 {
 
 /// The float surface: one plane a channel.
 struct SurfaceFloat {
-  float (*planes)[kTilePixels + kTilePadding];
+  float (*planes)[kTilePixels + kSurfacePadding];
   explicit SurfaceFloat(TileSurface& s) : planes(s.color_float) {}
 
   HWY_INLINE Rgba read(int at) const {
