@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace barrido::raster {
@@ -37,6 +38,23 @@ struct FramebufferOptions {
   DisplayTransform display;  ///< rgba32f only: how float colours become the 8-bit picture.
 };
 
+/// Memory that begins at a cache line, so that whole lines of a frame can be written past the caches.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kAlignment{64};
+
+  CacheLineAllocator() = default;
+  template <class U>
+  CacheLineAllocator(const CacheLineAllocator<U>&) {
+  }  // NOLINT(google-explicit-constructor): as allocators are
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), kAlignment)); }
+  void deallocate(T* memory, std::size_t) { ::operator delete(memory, kAlignment); }
+  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+template <class T>
+using PixelArray = std::vector<T, CacheLineAllocator<T>>;
+
 /// Colour and depth of one frame. All arrays are width × height, row-major, top row first.
 class Framebuffer {
  public:
@@ -48,16 +66,16 @@ class Framebuffer {
   const FramebufferOptions& options() const { return options_; }
 
   /// Packed R, G, B, A bytes in memory order; alpha is straight (not premultiplied).
-  std::vector<std::uint32_t>& color8() { return color8_; }
-  const std::vector<std::uint32_t>& color8() const { return color8_; }
+  PixelArray<std::uint32_t>& color8() { return color8_; }
+  const PixelArray<std::uint32_t>& color8() const { return color8_; }
 
   /// Interleaved R, G, B, A floats; empty until the rasterizer needs or is asked to keep them.
-  std::vector<float>& color_float() { return color_float_; }
-  const std::vector<float>& color_float() const { return color_float_; }
+  PixelArray<float>& color_float() { return color_float_; }
+  const PixelArray<float>& color_float() const { return color_float_; }
 
   /// Window-space depth in [0, 1], 0 nearest with OpenGL's default depth range; empty unless kept.
-  std::vector<float>& depth() { return depth_; }
-  const std::vector<float>& depth() const { return depth_; }
+  PixelArray<float>& depth() { return depth_; }
+  const PixelArray<float>& depth() const { return depth_; }
 
   /// Array index of the pixel with window coordinates (x, y), y counted from the bottom row.
   std::size_t index(int x, int window_y) const {
@@ -67,9 +85,9 @@ class Framebuffer {
 
  private:
   FramebufferOptions options_;
-  std::vector<std::uint32_t> color8_;
-  std::vector<float> color_float_;
-  std::vector<float> depth_;
+  PixelArray<std::uint32_t> color8_;
+  PixelArray<float> color_float_;
+  PixelArray<float> depth_;
 };
 
 }  // namespace barrido::raster

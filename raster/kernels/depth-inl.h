@@ -63,6 +63,11 @@ HWY_INLINE void with_compare(Compare function, Call&& call) {
   }
 }
 
+/// Where to begin with the vectors of columns [begin, end): aligned, unless one vector that is not will do.
+inline int first_vector(int begin, int end, int lanes) {
+  return end - begin <= lanes ? begin : begin & ~(lanes - 1);
+}
+
 /// A span's depth: value at its anchor column and slope; columns relative to the tile.
 struct SpanDepth {
   float row;
@@ -116,7 +121,7 @@ struct DepthRule {
   }
 };
 
-/// Tests columns [begin, end) of a row and calls passed(x, mask) for each aligned vector of pixels; writes
+/// Tests columns [begin, end) of a row and calls passed(x, mask) for each vector of pixels; writes
 /// the depth where the test passes. kUsual: `less`, with writing, of depths that need no clamping.
 template <bool kUsual, class Passed>
 HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDepth& depth, int begin,
@@ -125,12 +130,12 @@ HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDe
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto row = hn::Set(d, depth.row);
   const auto slope = hn::Set(d, depth.slope);
-  int x = begin & ~(lanes - 1);
+  int x = first_vector(begin, end, lanes);
   auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
   for (; x < end; x += lanes) {
     auto mask = columns_mask(d, x, begin, end);
     auto z = hn::Add(row, hn::Mul(slope, column));
-    const auto stored = hn::Load(d, depth_row + x);
+    const auto stored = hn::LoadU(d, depth_row + x);
     if constexpr (kUsual) {
       mask = hn::And(mask, hn::Lt(z, stored));
       hn::BlendedStore(z, mask, d, depth_row + x);

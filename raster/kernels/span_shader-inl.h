@@ -78,7 +78,9 @@ class SpanShader {
     with_pixels([&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       const int lanes = static_cast<int>(hn::Lanes(d));
-      for (int x = begin & ~(lanes - 1); x < end; x += lanes) pixels(to, x, columns_mask(d, x, begin, end));
+      for (int x = first_vector(begin, end, lanes); x < end; x += lanes) {
+        pixels(to, x, columns_mask(d, x, begin, end));
+      }
     });
   }
 

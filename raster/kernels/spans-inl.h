@@ -192,22 +192,6 @@ inline std::int64_t signed_area(const PrimitiveRecord& p) {
   return dx1 * dy2 - dx2 * dy1;
 }
 
-/// About how many pixels of the tile the triangle covers: its area, in proportion to how much of its bounding
-/// box lies in the tile.
-inline double area_in_tile(const PrimitiveRecord& p, const TileArea& tile) {
-  const auto share = [](std::int32_t a, std::int32_t b, std::int32_t c, int origin, int size) {
-    const double low = std::min(std::min(a, b), c);
-    const double high = std::max(std::max(a, b), c);
-    const double inside = std::min(high, (static_cast<double>(origin) + size) * kSubpixelUnits) -
-                          std::max(low, static_cast<double>(origin) * kSubpixelUnits);
-    return inside <= 0 ? 0.0 : inside / (high - low);
-  };
-  const double area =
-      std::fabs(static_cast<double>(signed_area(p))) / (2.0 * kSubpixelUnits * kSubpixelUnits);
-  return area * share(p.x[0], p.x[1], p.x[2], tile.x, tile.width) *
-         share(p.y[0], p.y[1], p.y[2], tile.y, tile.height);
-}
-
 /// The pixels of the tile that a triangle's bounding box holds, relative to the tile, half-open.
 struct TriangleBox {
   int column_begin, column_end, row_begin, row_end;

@@ -228,7 +228,7 @@ class VisibilityPass {
     const auto mark = hn::Set(du, mark_value);
     const auto start = hn::Set(d, depth.row);
     const auto slope = hn::Set(d, depth.slope);
-    int x = begin & ~(lanes - 1);
+    int x = first_vector(begin, end, lanes);
     auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
     for (; x < end; x += lanes) {
       auto z = hn::Add(start, hn::Mul(slope, column));
@@ -236,11 +236,11 @@ class VisibilityPass {
         z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)),
                                             hn::Set(d, 1.0f));
       }
-      const auto stored = hn::Load(d, depths + x);
+      const auto stored = hn::LoadU(d, depths + x);
       auto nearer = hn::Lt(z, stored);
       const auto equal = hn::Eq(z, stored);
       if (HWY_UNLIKELY(!hn::AllFalse(d, equal))) {
-        const auto seen = hn::Load(du, marks + x);
+        const auto seen = hn::LoadU(du, marks + x);
         const auto wins = kCompare == Compare::less ? hn::Lt(mark, seen) : hn::Lt(seen, mark);
         nearer = hn::Or(nearer, hn::And(equal, hn::RebindMask(d, wins)));
       }

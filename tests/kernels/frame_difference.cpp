@@ -27,8 +27,8 @@ std::string text_of(float value) {
 
 /// `channels` values a pixel, top row first.
 template <class Value>
-std::string compare_arrays(const char* name, const std::vector<Value>& expected,
-                           const std::vector<Value>& actual, const Framebuffer& frame, std::size_t channels) {
+std::string compare_arrays(const char* name, const PixelArray<Value>& expected,
+                           const PixelArray<Value>& actual, const Framebuffer& frame, std::size_t channels) {
   if (expected.size() != actual.size()) return std::string(name) + ": sizes differ\n";
   std::size_t different = 0;
   std::size_t first = 0;

@@ -195,7 +195,7 @@ TEST(Renderer, AnyNumberOfThreadsDrawsTheSame) {
   state.blend.src_rgb = raster::BlendFactor::constant_alpha;
   state.blend.dst_rgb = raster::BlendFactor::one_minus_constant_alpha;
   state.blend.constant = {0, 0, 0, 0.5f};
-  std::vector<std::uint32_t> expected;
+  raster::PixelArray<std::uint32_t> expected;
   for (const std::size_t threads : {1, 2, 4}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     Picture picture;
