@@ -25,7 +25,8 @@ class BarridoDrawer final : public Drawer {
   }
 
   crosscheck::Picture picture() override {
-    crosscheck::Picture picture{scene_.width, scene_.height, {}, frame_.depth()};
+    crosscheck::Picture picture{scene_.width, scene_.height, {}, {}};
+    picture.depth.assign(frame_.depth().begin(), frame_.depth().end());
     picture.color.resize(frame_.color8().size());
     std::memcpy(picture.color.data(), frame_.color8().data(), frame_.color8().size() * 4);
     return picture;

@@ -38,7 +38,8 @@ Picture draw_with_barrido(const ScenePair& pair) {
   renderer.clear(pair.clear);
   for (const DrawCall& draw : pair.draws) renderer.draw(draw.state, draw.mesh.geometry());
   renderer.finish();
-  Picture picture{pair.width, pair.height, {}, frame.depth()};
+  Picture picture{pair.width, pair.height, {}, {}};
+  picture.depth.assign(frame.depth().begin(), frame.depth().end());
   picture.color.resize(frame.color8().size());
   std::memcpy(picture.color.data(), frame.color8().data(), frame.color8().size() * 4);
   return picture;
