@@ -183,6 +183,13 @@ struct FragmentState {
   Scissor scissor;
 };
 
+inline bool all_channels(const std::array<bool, 4>& mask) { return mask[0] && mask[1] && mask[2] && mask[3]; }
+
+/// Whether a fragment that passes its tests replaces what is behind it.
+inline bool is_opaque(const FragmentState& state) {
+  return !state.blend.enabled && !state.alpha_test.enabled && all_channels(state.color_mask);
+}
+
 /// Whether a texture unit takes part: it has a texture, and coordinates of the texture's kind.
 inline bool is_active(const FragmentState& state, int unit) {
   const auto u = static_cast<std::size_t>(unit);

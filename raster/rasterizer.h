@@ -40,7 +40,7 @@ class BinnedChunk;
 
 class Rasterizer {
  public:
-  Rasterizer(Framebuffer& framebuffer, const RasterizerOptions& options = {});
+  explicit Rasterizer(Framebuffer& framebuffer, const RasterizerOptions& options = {});
   ~Rasterizer();
   Rasterizer(const Rasterizer&) = delete;
   Rasterizer& operator=(const Rasterizer&) = delete;

@@ -55,7 +55,7 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
                                   prepared->colors.data != nullptr, options, textures);
       draw.geometry = geometry_for(*prepared, draw.surface);
       draw.center = prepared->center;
-      list.draws.push_back(std::move(draw));
+      list.draws.push_back(draw);
     }
   }
   return list;

@@ -52,7 +52,7 @@ struct Magic {
   ImageFormat format;
 };
 
-using std::string_view_literals::operator""sv;
+using std::string_view_literals::operator""sv;  // NOLINT(misc-unused-using-decls): used below
 
 constexpr std::array<Magic, 9> kMagics{{
     {"\x76\x2f\x31\x01"sv, 0, exr},
@@ -68,7 +68,7 @@ constexpr std::array<Magic, 9> kMagics{{
 
 bool has_magic(std::span<const std::uint8_t> bytes, const Magic& magic) {
   if (bytes.size() < magic.offset + magic.bytes.size()) return false;
-  return std::equal(magic.bytes.begin(), magic.bytes.end(), bytes.begin() + magic.offset,
+  return std::equal(magic.bytes.begin(), magic.bytes.end(), bytes.data() + magic.offset,
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 

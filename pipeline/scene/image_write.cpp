@@ -1,5 +1,5 @@
 // Pictures to files and to bytes in memory, by format: PNG and JPEG here, the others through the module.
-#include <stdlib.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkstemp is POSIX's
 
 #include <system_error>
 

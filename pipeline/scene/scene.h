@@ -51,7 +51,8 @@ class FloatArray {
 class IndexArray {
  public:
   IndexArray() = default;
-  IndexArray(std::vector<std::uint32_t> values)
+  IndexArray(
+      std::vector<std::uint32_t> values)  // NOLINT(google-explicit-constructor): a list of indices is one
       : owner_(std::make_shared<const std::vector<std::uint32_t>>(std::move(values))) {
     const auto& owned = *static_cast<const std::vector<std::uint32_t>*>(owner_.get());
     values_ = {owned.data(), owned.size()};

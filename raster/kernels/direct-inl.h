@@ -28,17 +28,12 @@ enum class Route : std::uint8_t {
   smooth_blend_source_alpha,
 };
 
-inline bool is_opaque(const FragmentState& state) {
-  return !state.blend.enabled && !state.alpha_test.enabled &&
-         state.color_mask == std::array{true, true, true, true};
-}
-
 inline Route route_of(const FragmentState& state, ColorFormat format) {
   bool textured = false;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) textured |= is_active(state, unit);
   if (format != ColorFormat::rgba8 || textured || state.illumination.function != nullptr ||
       state.fog.enabled || state.separate_specular || state.alpha_test.enabled ||
-      state.color_mask != std::array{true, true, true, true}) {
+      !all_channels(state.color_mask)) {
     return Route::batch;
   }
   if (state.varyings.color == kAbsent) return state.blend.enabled ? Route::batch : Route::flat;

@@ -180,29 +180,39 @@ class SpanShader {
   /// Tests the span's depth and appends the runs of pixels that pass.
   void append_passing(int row, int x_begin, int x_end) {
     const hn::ScalableTag<float> d;
-    int run_begin = -1;  // of the run that is open
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    std::uint32_t passed[kTileWidth / 4];  // bits of a vector each, lane 0 lowest
+    bool all = true;
+    int first_column = x_begin;
+    int vectors = 0;
     test_depth(chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth,
                span_depth(), x_begin, x_end, [&](int x, auto mask) HWY_ATTR {
-                 if (run_begin >= 0 && hn::AllTrue(d, mask)) return;
-                 unsigned bits = mask_bits(d, mask);
-                 if (run_begin >= 0 && (bits & 1u) == 0) {  // the open run ended with the last vector
-                   append(row, run_begin, x);
-                   run_begin = -1;
-                 }
-                 const int lanes = static_cast<int>(hn::Lanes(d));
-                 while (bits != 0 || run_begin >= 0) {
-                   if (run_begin < 0) {
-                     const int begin = __builtin_ctz(bits);
-                     run_begin = x + begin;
-                     bits |= (1u << begin) - 1u;
-                   }
-                   const int end = ~bits == 0 ? lanes : __builtin_ctz(~bits);
-                   if (end >= lanes) return;  // open to the next vector
-                   append(row, run_begin, x + end);
-                   run_begin = -1;
-                   bits &= ~0u << end;
-                 }
+                 if (vectors == 0) first_column = x;
+                 passed[vectors++] = mask_bits(d, mask);
+                 all = all && hn::AllTrue(d, hn::Or(mask, hn::Not(columns_mask(d, x, x_begin, x_end))));
                });
+    if (all) return append(row, x_begin, x_end);
+    append_runs(row, first_column, x_end, passed, lanes);
+  }
+
+  /// `bits` are the pixels that passed, `lanes` in each number, from column x on.
+  void append_runs(int row, int x, int x_end, const std::uint32_t* bits, int lanes) {
+    int run_begin = -1;  // of the run that is open
+    for (int v = 0; x < x_end; ++v, x += lanes) {
+      std::uint32_t open = bits[v];  // from the lane we have come to on
+      for (int lane = 0; lane < lanes;) {
+        if (run_begin < 0) {
+          if (open == 0) break;
+          lane = __builtin_ctz(open);
+          run_begin = x + lane;
+        }
+        lane = std::min(lanes, __builtin_ctz(~open & (~0u << lane)));
+        if (lane == lanes) break;  // goes on in the next vector
+        append(row, run_begin, x + lane);
+        run_begin = -1;
+        open &= ~0u << lane;
+      }
+    }
     if (run_begin >= 0) append(row, run_begin, x_end);
   }
 

@@ -56,6 +56,7 @@ class TextureSampler {
     const bool lod_matters =
         choice_.mip_linear || choice_.mip_nearest || choice_.min_linear != choice_.mag_linear;
     const auto bias = hn::Set(d, unit_.lod_bias);
+    auto texels = hn::Zero(di);
     for (int i = 0; i < batch_.count; i += static_cast<int>(hn::Lanes(d))) {
       const auto lod = lod_matters ? hn::Add(hn::LoadU(d, batch_.lod[number_] + i), bias) : hn::Zero(d);
       const Levels levels = choose_levels(lod, choice_, texture_.level_count() - 1);
@@ -63,24 +64,23 @@ class TextureSampler {
       address(c, levels.lower, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
               lower_, i);
       any_linear_ = any_linear_ || !hn::AllFalse(di, levels.linear);
-      count_texels(levels, batch_.count - i);
+      texels = hn::Add(texels, count_texels(levels, batch_.count - i));
       if (!choice_.mip_linear) continue;
       address(c, levels.upper, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
               upper_, i);
       hn::Store(levels.weight, di, level_weight_ + i);
       any_blend_ = any_blend_ || !hn::AllTrue(di, hn::Eq(levels.weight, hn::Zero(di)));
     }
+    texels_ = static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(di, texels)));
   }
 
   /// One or four texels a level, one or two levels, for the fragments among the next `fragments`.
-  HWY_INLINE void count_texels(const Levels& levels, int fragments) {
+  HWY_INLINE VI count_texels(const Levels& levels, int fragments) const {
     const I di;
-    const auto valid = barrido::HWY_NAMESPACE::lanes_below(di, fragments);
-    const auto four = hn::And(valid, levels.linear);
+    const auto one_level = hn::IfThenElse(levels.linear, hn::Set(di, 4), hn::Set(di, 1));
     const auto two = hn::Gt(levels.weight, hn::Zero(di));
-    const auto count = [&](hn::Mask<I> mask)
-                           HWY_ATTR { return static_cast<std::uint64_t>(hn::CountTrue(di, mask)); };
-    texels_ += count(valid) + 3 * count(four) + count(hn::And(valid, two)) + 3 * count(hn::And(four, two));
+    const auto texels = hn::Add(one_level, hn::IfThenElseZero(two, one_level));
+    return hn::IfThenElseZero(barrido::HWY_NAMESPACE::lanes_below(di, fragments), texels);
   }
 
   const FragmentBatch& batch_;

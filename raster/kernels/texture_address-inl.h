@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 
 #include <algorithm>
@@ -70,8 +71,8 @@ HWY_INLINE Levels choose_levels(VF lod, const LevelChoice& choice, int last_leve
       barrido::HWY_NAMESPACE::maximum(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
   if (choice.mip_nearest) {
     const auto level = hn::Sub(hn::Ceil(hn::Add(bounded, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
-    levels.lower = hn::ConvertTo(
-        di, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(level, hn::Zero(d)), last));
+    levels.lower = barrido::HWY_NAMESPACE::whole_to_integer(
+        d, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(level, hn::Zero(d)), last));
     levels.lower = hn::IfThenZeroElse(magnified, levels.lower);
     levels.upper = levels.lower;
     return levels;
@@ -80,8 +81,8 @@ HWY_INLINE Levels choose_levels(VF lod, const LevelChoice& choice, int last_leve
       barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(bounded, hn::Zero(d)), last);
   const auto below = hn::Floor(lambda);
   const auto weight = hn::Floor(hn::Mul(hn::Sub(lambda, below), hn::Set(d, 256.0f)));
-  levels.lower = hn::IfThenZeroElse(magnified, hn::ConvertTo(di, below));
-  levels.weight = hn::IfThenZeroElse(magnified, hn::ConvertTo(di, weight));
+  levels.lower = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, below));
+  levels.weight = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, weight));
   const auto next =
       barrido::HWY_NAMESPACE::minimum(hn::Add(levels.lower, hn::Set(di, 1)), hn::Set(di, last_level));
   levels.upper = hn::IfThenElse(hn::Gt(levels.weight, zero), next, levels.lower);
@@ -182,26 +183,24 @@ struct Footprint {
 /// Nearest texel along one axis.
 HWY_INLINE VI nearest_texel(VF u, VI size, bool border) {
   const F d;
-  const I di;
   const auto size_f = hn::ConvertTo(d, size);
   const auto scaled = hn::Floor(hn::Mul(u, size_f));
   const auto low = hn::Set(d, border ? -1.0f : 0.0f);
   const auto high = border ? size_f : hn::Sub(size_f, hn::Set(d, 1.0f));
-  return hn::ConvertTo(di,
-                       barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, low), high));
+  return barrido::HWY_NAMESPACE::whole_to_integer(
+      d, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, low), high));
 }
 
 /// Lower texel in 24.8 fixed point along one axis.
 HWY_INLINE VI linear_texel(VF u, VI size) {
   const F d;
-  const I di;
   const auto size_f = hn::ConvertTo(d, size);
   // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
   const auto half = hn::Set(d, 0.5f - 0x1p-9f);
   const auto fixed = hn::Mul(hn::Sub(hn::Mul(u, size_f), half), hn::Set(d, 256.0f));
   const auto bounded = barrido::HWY_NAMESPACE::minimum(
       barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), hn::Mul(size_f, hn::Set(d, 256.0f)));
-  return hn::ConvertTo(di, hn::Floor(bounded));
+  return barrido::HWY_NAMESPACE::whole_to_integer(d, hn::Floor(bounded));
 }
 
 /// Addresses and weights of a vector of fragments at `level`. Where `linear` is false the weights are 0, so

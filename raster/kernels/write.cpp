@@ -73,7 +73,7 @@ struct Surface8 {
   HWY_INLINE void write(const Rgba& color, M mask, const std::array<bool, 4>& channels, int at) const {
     const hn::RebindToSigned<F> di;
     auto packed = pack8(color);
-    if (channels != std::array{true, true, true, true}) {
+    if (!all_channels(channels)) {
       std::uint32_t keep = 0;
       for (std::size_t c = 0; c < 4; ++c) keep |= channels[c] ? 0u : 0xffu << (8 * c);
       const auto kept = hn::Set(di, static_cast<std::int32_t>(keep));
@@ -158,9 +158,10 @@ void store_opaque8(const FragmentBatch& batch, TileSurface& tile) {
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     std::int32_t* to = pixels + run.y * kTileWidth + run.x - run.begin;
-    int i = run.begin;
-    for (; i + lanes <= run.end; i += lanes) hn::StoreU(hn::LoadU(di, packed + i), di, to + i);
-    for (; i < run.end; ++i) to[i] = packed[i];
+    for (int i = run.begin; i < run.end; i += lanes) {
+      hn::BlendedStore(hn::LoadU(di, packed + i), barrido::HWY_NAMESPACE::lanes_below(di, run.end - i), di,
+                       to + i);
+    }
   }
 }
 
@@ -177,9 +178,7 @@ void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
   if (batch.state->separate_specular) add_specular(batch);
   if (batch.state->fog.enabled) apply_fog(batch);
   const FragmentState& state = *batch.state;
-  const bool opaque = !state.blend.enabled && !state.alpha_test.enabled &&
-                      state.color_mask == std::array{true, true, true, true};
-  if (surface.format == ColorFormat::rgba8 && opaque) {
+  if (surface.format == ColorFormat::rgba8 && is_opaque(state)) {
     store_opaque8(batch, surface);
   } else if (surface.format == ColorFormat::rgba8) {
     store_batch<Surface8>(batch, surface);

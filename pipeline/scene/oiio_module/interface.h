@@ -2,6 +2,7 @@
    nothing of each other; no C++ type, exception or allocation crosses it. */
 #pragma once
 
+/* NOLINTBEGIN(modernize-deprecated-headers,modernize-use-using): this is C */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -63,3 +64,4 @@ const BarridoOiioFunctions* barrido_oiio_functions(void);
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(modernize-deprecated-headers,modernize-use-using) */
