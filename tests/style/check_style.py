@@ -21,7 +21,7 @@ PRIVATE_HEADERS = {
     r"OpenImageIO/": ["pipeline/scene"],
     r"spng\.h|jpeglib\.h|turbojpeg\.h|png\.h": ["pipeline/scene", "models/tool", "tests"],
     r"GLFW/|GL/|imgui": ["viewer/barrido-view", "viewer/view", "tests"],
-    r"CLI/": ["viewer"],
+    r"CLI/": ["viewer", "tests/bench"],
 }
 OPEN_WORK = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
