@@ -49,14 +49,16 @@ struct Run {
   AssemblyCounts counts;
 };
 
-Run assemble_and_bin(const raster::Rasterizer& rasterizer, const AssemblyInput& input, std::uint32_t first,
+Run assemble_and_bin(const Frame& frame, const AssemblyInput& input, std::uint32_t first,
                      std::uint32_t count) {
+  raster::StageClock clock(frame.profile, raster::Stage::assembly);
   Assembled assembled = assemble(input, first, count);
+  clock.stop();
   Run run;
   run.counts = assembled.counts;
   run.sources = std::move(assembled.sources);
   for (raster::PrimitiveChunk& chunk : assembled.chunks)
-    run.chunks.push_back(rasterizer.bin(std::move(chunk)));
+    run.chunks.push_back(frame.rasterizer.bin(std::move(chunk)));
   return run;
 }
 
@@ -106,6 +108,7 @@ void draw(Frame& frame, const State& state, const Geometry& geometry) {
   const TransformedVertices vertices =
       allocate_vertices(plan, used.smallest, used.largest - used.smallest + 1, frame.memory);
   for_each_piece(vertices.count, kVertexBatch, [&](std::uint32_t begin, std::uint32_t count) {
+    const raster::StageClock clock(frame.profile, raster::Stage::vertices);
     run_vertex_stage(plan, geometry, begin, static_cast<int>(count), vertices);
   });
   count_vertices(plan, vertices.count, frame);
@@ -116,7 +119,7 @@ void draw(Frame& frame, const State& state, const Geometry& geometry) {
   const std::uint32_t units = unit_count(input);
   std::vector<Run> runs(units / kAssemblyUnits + 1);
   for_each_piece(units, kAssemblyUnits, [&](std::uint32_t first, std::uint32_t count) {
-    runs[first / kAssemblyUnits] = assemble_and_bin(frame.rasterizer, input, first, count);
+    runs[first / kAssemblyUnits] = assemble_and_bin(frame, input, first, count);
   });
   for (Run& run : runs) {
     if (record != nullptr) remember(run, *record);

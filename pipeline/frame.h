@@ -13,12 +13,15 @@ struct AssembledFrame;
 
 struct Frame {
   Frame(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options)
-      : size{framebuffer.width(), framebuffer.height()}, rasterizer(framebuffer, options) {}
+      : size{framebuffer.width(), framebuffer.height()},
+        rasterizer(framebuffer, options),
+        profile(options.profile) {}
 
   FrameSize size;
   raster::Rasterizer rasterizer;
-  FrameMemory memory;          ///< Vertices of the draws so far.
-  std::deque<DrawPlan> plans;  ///< Of the draws so far; the rasterizer points to them.
+  raster::StageProfile* profile;  ///< Null: no clock is read.
+  FrameMemory memory;             ///< Vertices of the draws so far.
+  std::deque<DrawPlan> plans;     ///< Of the draws so far; the rasterizer points to them.
   FragmentCounters fragment_counters;
   std::uint64_t powers_before_fragments = 0;
   Statistics statistics;

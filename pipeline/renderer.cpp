@@ -45,7 +45,6 @@ void Renderer::finish() {
   Statistics& statistics = frame.statistics;
   statistics.raster = frame.rasterizer.statistics();
   statistics.interpolations = statistics.raster.interpolations;
-  statistics.interpolations = statistics.raster.interpolations;
   statistics.illuminations_fragment = frame.fragment_counters.illuminations();
   statistics.powers = frame.powers_before_fragments + frame.fragment_counters.powers();
 }

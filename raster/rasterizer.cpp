@@ -103,6 +103,7 @@ struct Rasterizer::Implementation {
 
   void draw_tile(int tile) {
     TileWorkspace& w = workspace();
+    w.clock.start(options.profile, Stage::clear);
     w.chunks.clear();
     TileJob job;
     job.column = tile % grid.columns;
@@ -112,7 +113,7 @@ struct Rasterizer::Implementation {
     for (const auto& chunk : chunks) {
       if (!chunk->primitives_in(job.column, job.row).empty()) w.chunks.push_back(chunk.get());
     }
-    if (!starts_clear && w.chunks.empty()) return;
+    if (!starts_clear && w.chunks.empty()) return w.clock.stop();
     job.chunks = &w.chunks;
     job.visibility_first = options.visibility_first;
     if (starts_clear) {
@@ -120,8 +121,11 @@ struct Rasterizer::Implementation {
     } else {
       load_tile(w.surface, job);
     }
+    w.clock.switch_to(Stage::spans);
     rasterize_tile(job, w);
+    w.clock.switch_to(Stage::resolve);
     store(w.surface, job);
+    w.clock.stop();
   }
 };
 
@@ -136,6 +140,7 @@ void Rasterizer::clear(const ClearValues& values) {
 }
 
 std::unique_ptr<BinnedChunk> Rasterizer::bin(PrimitiveChunk&& chunk) const {
+  const StageClock clock(implementation_->options.profile, Stage::binning);
   return std::make_unique<BinnedChunk>(std::move(chunk), implementation_->grid);
 }
 

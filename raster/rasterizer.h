@@ -10,6 +10,7 @@
 
 #include "raster/framebuffer.h"
 #include "raster/primitive.h"
+#include "raster/stage_profile.h"
 
 namespace barrido::raster {
 
@@ -17,6 +18,8 @@ struct RasterizerOptions {
   /// Resolve visibility of opaque primitives before shading them, so that hidden fragments cost a depth test
   /// only. Off: every fragment that passes its depth test in drawing order is shaded. Same bits either way.
   bool visibility_first = true;
+  /// Where the time goes, or null: then no clock is read. Must outlive the rasterizer.
+  StageProfile* profile = nullptr;
 };
 
 struct ClearValues {

@@ -18,8 +18,10 @@ bool reads_primary(const FragmentState& state) {
 void shade_batch(TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
   const FragmentState& state = *batch.state;
+  const Stage before = workspace.clock.switch_to(Stage::illumination);
   if (state.illumination.function != nullptr)
     state.illumination.function(state.illumination.parameters, batch);
+  workspace.clock.switch_to(Stage::texture);
   start_colors(batch);
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
@@ -27,7 +29,9 @@ void shade_batch(TileWorkspace& workspace) {
     workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.texel);
     combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
+  workspace.clock.switch_to(Stage::write);
   write_fragments(batch, workspace.surface);
+  workspace.clock.switch_to(before);
   const bool divides = state.varyings.count > state.varyings.affine_count;
   workspace.statistics.interpolations += static_cast<std::uint64_t>(batch.count) *
                                          static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));

@@ -9,6 +9,7 @@
 #include "raster/fragment_batch.h"
 #include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
+#include "raster/stage_profile.h"
 #include "raster/tile_grid.h"
 
 namespace barrido::raster {
@@ -73,6 +74,7 @@ struct TileWorkspace {
   std::vector<VisibleRun> runs;
   std::vector<const BinnedChunk*> chunks;
   RasterStatistics statistics;
+  StageClock clock;
 };
 
 /// What the tile kernel is asked to do.

@@ -73,7 +73,8 @@ class PassRenderer {
         reflections_(reflections),
         node_reflections_(node_reflections),
         framebuffer_(framebuffer),
-        renderer_(framebuffer, {settings.visibility_first}, pass.observer != nullptr ? &assembled_ : nullptr),
+        renderer_(framebuffer, {settings.visibility_first, settings.profile},
+                  pass.observer != nullptr ? &assembled_ : nullptr),
         base_(base_state(settings, pass.view, frame.lights, frame.fog)),
         surroundings_from_eye_(frame.surroundings_from_world * world_from_eye_rotation(pass.view)) {}
 

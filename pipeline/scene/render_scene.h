@@ -80,6 +80,7 @@ struct RenderSettings {
   double time_s = 0.0;
   bool keep_float = false;  ///< Keep float colours for exr and hdr.
   bool visibility_first = true;
+  raster::StageProfile* profile = nullptr;  ///< Where the time goes is added here; null: no clock is read.
 };
 
 class FrameObserver;

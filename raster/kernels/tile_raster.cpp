@@ -126,6 +126,7 @@ class TileRasterizer {
     shader_.flush();
     workspace_.primitives.clear();
     workspace_.runs.clear();
+    workspace_.clock.switch_to(Stage::visibility);
     VisibilityPass pass(workspace_, tile_);
     for (std::size_t i = begin; i < end; ++i) {
       const BinnedChunk& binned = *(*job_.chunks)[i];
@@ -135,9 +136,12 @@ class TileRasterizer {
         pass.add(chunk, chunk.primitives[number], scissor);
       }
     }
+    if (!workspace_.primitives.empty()) {
+      pass.resolve();
+      collect_runs();
+    }
+    workspace_.clock.switch_to(Stage::spans);
     if (workspace_.primitives.empty()) return;
-    pass.resolve();
-    collect_runs();
     const PrimitiveChunk* chunk = nullptr;
     for (const TilePrimitive& primitive : workspace_.primitives) {
       if (primitive.first_run < 0) continue;

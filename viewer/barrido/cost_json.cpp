@@ -51,6 +51,11 @@ Json frame_json(const FrameCost& frame) {
                     {"fragments_covered", frame.counts.raster.fragments_covered},
                     {"fragments_shaded", frame.counts.raster.fragments_shaded},
                     {"texel_fetches", frame.counts.raster.texel_fetches}};
+  Json times = Json::object();
+  for (std::size_t stage = 0; stage < frame.stage_ms.size(); ++stage) {
+    times[std::string(raster::kStageNames[stage])] = frame.stage_ms[stage];
+  }
+  json["stage_ms"] = std::move(times);
   if (!frame.sha256.empty()) json["sha256"] = frame.sha256;
   return json;
 }

@@ -18,6 +18,7 @@ struct ModeSum {
   pipeline::Statistics raw;
   double draw_ms = 0.0;
   double write_ms = 0.0;
+  std::array<double, raster::kStageCount> stage_ms{};
 };
 
 ModeSum sum_of_mode(const CostReport& report, pipeline::ShadeModel mode) {
@@ -30,6 +31,8 @@ ModeSum sum_of_mode(const CostReport& report, pipeline::ShadeModel mode) {
     sum.raw.primitives_in += frame.counts.primitives_in;
     sum.draw_ms += frame.draw_ms;
     sum.write_ms += frame.write_ms;
+    for (std::size_t stage = 0; stage < sum.stage_ms.size(); ++stage)
+      sum.stage_ms[stage] += frame.stage_ms[stage];
   }
   return sum;
 }
@@ -51,6 +54,17 @@ std::string count_row(const char* name, std::uint64_t count, const ModeSum& sum)
   return row(name, {per_frame, ratio(count, sum.counts.polygons, 2), ratio(count, sum.counts.scanlines, 2)});
 }
 
+/// Milliseconds of each stage that took any, a frame, all threads together.
+std::string stage_line(const ModeSum& sum) {
+  std::string text;
+  for (std::size_t stage = 0; stage < sum.stage_ms.size(); ++stage) {
+    if (sum.stage_ms[stage] <= 0.0) continue;
+    text += (text.empty() ? "  ms of all threads: " : ", ") + std::string(raster::kStageNames[stage]) + " " +
+            fixed(sum.stage_ms[stage] / static_cast<double>(sum.frames), 2);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string mode_table(pipeline::ShadeModel mode, const ModeSum& sum) {
   std::string text = std::string(name_of(mode)) + ": " + counted(sum.frames, "frame", "frames") +
                      ", drawn in " + fixed(sum.draw_ms / static_cast<double>(sum.frames), 2) + " ms";
@@ -67,7 +81,7 @@ std::string mode_table(pipeline::ShadeModel mode, const ModeSum& sum) {
   text += "  " + per_frame(sum.raw.vertices) + " vertices, " + per_frame(sum.raw.primitives_in) +
           " polygons of which " + per_frame(sum.counts.polygons) + " drawn, " +
           per_frame(sum.counts.scanlines) + " scanlines a frame\n";
-  return text;
+  return text + stage_line(sum);
 }
 
 }  // namespace

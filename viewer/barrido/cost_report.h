@@ -2,6 +2,7 @@
 // and powers per frame, polygon and scanline, for each shading mode. Enters: what was measured; leaves: text.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct FrameCost {
   int height = 0;
   pipeline::Statistics counts;
   double draw_ms = 0.0;
+  /// By raster::Stage, summed over threads: more than draw_ms where several work.
+  std::array<double, raster::kStageCount> stage_ms{};
   double write_ms = 0.0;  ///< Encoding and writing; runs beside the drawing of later frames.
   std::string sha256;     ///< Of the pixels; empty unless asked for.
 };

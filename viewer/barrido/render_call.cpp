@@ -136,7 +136,14 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
 void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const {
   const Stopwatch watch;
   try {
-    frame.framebuffer = renderer.render(settings_of(settings_, *frame.plan), &frame.cost.counts);
+    scene::RenderSettings settings = settings_of(settings_, *frame.plan);
+    raster::StageProfile profile;
+    if (options_.stats != StatsFormat::none) settings.profile = &profile;
+    frame.framebuffer = renderer.render(settings, &frame.cost.counts);
+    for (int stage = 0; stage < raster::kStageCount; ++stage) {
+      frame.cost.stage_ms[static_cast<std::size_t>(stage)] =
+          profile.milliseconds(static_cast<raster::Stage>(stage));
+    }
   } catch (const std::bad_alloc&) {
     throw scene::InputError(path, frame.plan->label, "not enough memory");
   }

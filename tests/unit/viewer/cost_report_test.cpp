@@ -39,6 +39,19 @@ CostReport report() {
   return report;
 }
 
+TEST(CostReport, TextNamesTheStagesThatTookTime) {
+  CostReport report;
+  report.frames = {frame_of(pipeline::ShadeModel::phong, 1), frame_of(pipeline::ShadeModel::phong, 1)};
+  EXPECT_EQ(cost_text(report).find("ms of all threads"), std::string::npos);
+  report.frames[0].stage_ms[static_cast<std::size_t>(raster::Stage::texture)] = 3.0;
+  report.frames[1].stage_ms[static_cast<std::size_t>(raster::Stage::texture)] = 2.0;
+  report.frames[1].stage_ms[static_cast<std::size_t>(raster::Stage::resolve)] = 1.0;
+  EXPECT_NE(cost_text(report).find("  ms of all threads: texture 2.50, resolve 0.50\n"), std::string::npos);
+  const auto json = nlohmann::json::parse(cost_json(report));
+  EXPECT_EQ(json["frames"][1]["stage_ms"]["texture"], 2.0);
+  EXPECT_EQ(json["frames"][0]["stage_ms"]["resolve"], 0.0);
+}
+
 TEST(CostReport, TextHasATableForEachMode) {
   const std::string text = cost_text(report());
   EXPECT_EQ(text,
