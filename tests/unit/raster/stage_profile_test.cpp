@@ -41,7 +41,9 @@ TEST(StageProfile, AStoppedClockChargesNobody) {
 }
 
 TEST(StageProfile, AFrameChargesTheStagesThatItGoesThrough) {
-  Framebuffer frame({.width = 64, .height = 64});
+  FramebufferOptions options;
+  options.width = options.height = 64;
+  Framebuffer frame(options);
   StageProfile profile;
   Rasterizer rasterizer(frame, {true, &profile});
   const FragmentState state;
