@@ -1,18 +1,11 @@
 #include "viewer/barrido/frame_settings.h"
 
-#include <algorithm>
 #include <array>
 
 #include "pipeline/scene/environment.h"
 #include "pipeline/scene/import_gltf.h"
 
 namespace barrido::cli {
-namespace {
-
-/// Fog without a colour of its own and without --background: the renderer's dark grey background.
-constexpr std::array<float, 3> kFogColorShown{0.2f, 0.2f, 0.2f};
-
-}  // namespace
 
 const unsigned kDrawnImages = scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kEmissiveImage;
 
@@ -23,11 +16,11 @@ scene::RenderSettings resolved_settings(const RenderOptions& options) {
     settings.background_color = glm::vec4(red, green, blue, alpha);
   }
   if (!options.fog) return settings;
-  std::array<float, 3> shown = kFogColorShown;
-  if (options.background_shown) std::copy_n(options.background_shown->begin(), 3, shown.begin());
-  shown = options.fog->color_shown.value_or(shown);
   settings.fog = options.fog->state;
-  settings.fog->color = {shown[0], shown[1], shown[2], 1.0f};
+  settings.fog_takes_background = !options.fog->color_shown.has_value();
+  if (const auto& shown = options.fog->color_shown) {
+    settings.fog->color = {(*shown)[0], (*shown)[1], (*shown)[2], 1.0f};
+  }
   return settings;
 }
 

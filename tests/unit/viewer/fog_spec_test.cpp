@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/barrido/frame_settings.h"
+
 namespace barrido::cli {
 namespace {
 
@@ -28,6 +30,16 @@ TEST(FogSpec, MistakesAreRefused) {
                            "exp:-1", "exp:nan", "exp:1,2", "exp3:1", "exp2:1:red", "linear:1,inf"}) {
     EXPECT_THROW(parse_fog(text), ValueError) << text;
   }
+}
+
+TEST(FogSpec, WithoutAColourItTakesTheBackgroundWhoeverGaveThat) {
+  RenderOptions options;
+  options.fog = parse_fog("exp:0.5");
+  EXPECT_TRUE(resolved_settings(options).fog_takes_background);
+  options.fog = parse_fog("exp:0.5:1,0.5,0");
+  const scene::RenderSettings settings = resolved_settings(options);
+  EXPECT_FALSE(settings.fog_takes_background);
+  EXPECT_EQ(settings.fog->color, (std::array{1.0f, 0.5f, 0.0f, 1.0f}));
 }
 
 }  // namespace
