@@ -20,7 +20,7 @@ namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr int kBlockColumns = 4;
-inline constexpr int kMostBlockColumns = 16;  ///< Of a triangle's box in the tile.
+inline constexpr int kMostBlockColumns = 40;  ///< Of a triangle's box in the tile.
 
 /// Lane i of a block is column i % 4 of row i / 4.
 struct BlockLanes {
