@@ -138,7 +138,7 @@ const raster::FlatColors* VertexAgain::lit(bool back) const {
   return out_.flat_colors + (back && draw_.plan->has_back_side ? out_.capacity : 0);
 }
 
-std::vector<std::uint32_t> corner_vertices(const ChunkPlace& place, const raster::PrimitiveRecord& primitive,
+std::vector<std::uint32_t> corner_vertices(const FrameChunk& place, const raster::PrimitiveRecord& primitive,
                                            std::uint32_t source) {
   const AssembledDraw& draw = *place.draw;
   const pipeline::AssemblyInput input{*draw.plan, draw.geometry, draw.vertices};
@@ -167,7 +167,7 @@ bool is_clipped(const raster::PrimitiveChunk& chunk, const raster::PrimitiveReco
                      [&](std::uint32_t number) { return number >= chunk.shared_count; });
 }
 
-bool faces_back(const ChunkPlace& place, const raster::PrimitiveRecord& primitive, std::uint32_t source) {
+bool faces_back(const FrameChunk& place, const raster::PrimitiveRecord& primitive, std::uint32_t source) {
   const AssembledDraw& draw = *place.draw;
   if (!pipeline::is_polygonal(draw.geometry.mode)) return false;
   double area = 0.0;
@@ -188,7 +188,7 @@ bool faces_back(const ChunkPlace& place, const raster::PrimitiveRecord& primitiv
   return area != 0.0 && (area > 0.0) != draw.plan->cull.front_is_counter_clockwise;
 }
 
-std::vector<CornerStory> tell_corners(const FragmentContext& context, const ChunkPlace& place,
+std::vector<CornerStory> tell_corners(const FragmentContext& context, const FrameChunk& place,
                                       const raster::PrimitiveRecord& primitive, std::uint32_t source) {
   const AssembledDraw& draw = *place.draw;
   const raster::PrimitiveChunk& chunk = *place.chunk->chunk;

@@ -33,7 +33,7 @@ class VertexAgain {
 
 /// Numbers of the corners of what a primitive is made of, in the draw's arrays: of the whole triangle where
 /// clipping left a piece; none for lines that were clipped.
-std::vector<std::uint32_t> corner_vertices(const ChunkPlace& place, const raster::PrimitiveRecord& primitive,
+std::vector<std::uint32_t> corner_vertices(const FrameChunk& place, const raster::PrimitiveRecord& primitive,
                                            std::uint32_t source);
 
 /// Whether a corner of the primitive was made by clipping.
@@ -41,6 +41,6 @@ bool is_clipped(const raster::PrimitiveChunk& chunk, const raster::PrimitiveReco
 
 /// Whether the polygon that a primitive is made of is seen from behind; never for points and lines of the
 /// file.
-bool faces_back(const ChunkPlace& place, const raster::PrimitiveRecord& primitive, std::uint32_t source);
+bool faces_back(const FrameChunk& place, const raster::PrimitiveRecord& primitive, std::uint32_t source);
 
 }  // namespace barrido::inspect

@@ -31,7 +31,7 @@ void tell_names(const FragmentContext& context, const scene::DrawOrigin& origin,
 }
 
 /// The triangle's number in the file: blended draws are sorted, so it is looked up by its corners.
-std::uint32_t number_in_file(const ChunkPlace& place, std::uint32_t source) {
+std::uint32_t number_in_file(const FrameChunk& place, std::uint32_t source) {
   const pipeline::Geometry* original = place.origin->geometry;
   const std::span<const std::uint32_t> drawn = place.draw->geometry.indices;
   if (original == nullptr || original->indices.data() == drawn.data() ||
@@ -118,7 +118,7 @@ std::vector<std::uint32_t> polygon_vertices(const AssembledDraw& draw, std::uint
   return vertices;
 }
 
-void tell_illumination(const FragmentContext& context, const ChunkPlace& place, std::uint32_t source,
+void tell_illumination(const FragmentContext& context, const FrameChunk& place, std::uint32_t source,
                        FragmentStory& story) {
   const AssembledDraw& draw = *place.draw;
   if (!draw.plan->illumination) return;
@@ -159,7 +159,7 @@ void tell_illumination(const FragmentContext& context, const ChunkPlace& place, 
 
 }  // namespace
 
-FragmentStory tell_fragment(const FragmentContext& context, const ChunkPlace& place,
+FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& place,
                             raster::reference::FragmentTrace trace) {
   const raster::PrimitiveChunk& chunk = *place.chunk->chunk;
   const raster::PrimitiveRecord& primitive = chunk.primitives[trace.primitive];

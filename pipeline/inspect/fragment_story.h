@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "pipeline/assembled_frame.h"
+#include "pipeline/inspect/fragment_census.h"
 #include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/frame_observer.h"
 
 namespace barrido::inspect {
-
-/// Where a chunk of a frame belongs.
-struct ChunkPlace {
-  const pipeline::AssembledDraw* draw = nullptr;
-  const scene::DrawOrigin* origin = nullptr;
-  const pipeline::AssembledChunk* chunk = nullptr;
-};
 
 struct FragmentContext {
   const scene::Scene& scene;
@@ -28,11 +22,11 @@ struct FragmentContext {
 };
 
 /// Everything but the fate.
-FragmentStory tell_fragment(const FragmentContext& context, const ChunkPlace& place,
+FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& place,
                             raster::reference::FragmentTrace trace);
 
 /// The corners of the triangle or line in the file, and their weights at the pixel's centre.
-std::vector<CornerStory> tell_corners(const FragmentContext& context, const ChunkPlace& place,
+std::vector<CornerStory> tell_corners(const FragmentContext& context, const FrameChunk& place,
                                       const raster::PrimitiveRecord& primitive, std::uint32_t source);
 
 }  // namespace barrido::inspect

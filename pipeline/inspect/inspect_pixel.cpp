@@ -59,22 +59,16 @@ class PixelObserver final : public scene::FrameObserver {
       : scene_(scene), settings_(settings), stories_(stories) {}
 
   bool observe(const scene::ObservedFrame& frame) override {
-    std::vector<ChunkPlace> places;
+    const std::vector<FrameChunk> places = chunks_of(frame);
     std::vector<const raster::PrimitiveChunk*> chunks;
-    for (std::size_t i = 0; i < frame.assembled.draws.size(); ++i) {
-      const pipeline::AssembledDraw& draw = frame.assembled.draws[i];
-      for (const pipeline::AssembledChunk& chunk : draw.chunks) {
-        places.push_back({&draw, &frame.origins[i], &chunk});
-        chunks.push_back(chunk.chunk);
-      }
-    }
+    for (const FrameChunk& place : places) chunks.push_back(place.chunk->chunk);
     const std::vector<std::string> names = light_names(scene_, settings_, frame.lights.lights.size());
     for (PixelStory& story : stories_) {
       raster::reference::PixelTrace trace = raster::reference::trace_pixel(
           chunks, frame.assembled.clear, frame.options, story.x, story.window_y);
       const FragmentContext context{scene_, frame, names, story.x, story.window_y};
       for (raster::reference::FragmentTrace& fragment : trace.fragments) {
-        const ChunkPlace& place = places[fragment.chunk];
+        const FrameChunk& place = places[fragment.chunk];
         story.fragments.push_back(tell_fragment(context, place, std::move(fragment)));
       }
       tell_frame(frame, story);

@@ -84,6 +84,7 @@ SurfaceOptions surface_options(const RenderSettings& settings) {
   SurfaceOptions options;
   options.encoding = color_encoding(settings);
   options.textures = settings.textures;
+  options.mip_colors = settings.mip_colors;
   options.min_filter = settings.min_filter;
   options.mag_filter = settings.mag_filter;
   options.reflections = settings.environment ? Reflections::all : Reflections::metals;

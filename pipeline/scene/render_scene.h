@@ -59,6 +59,7 @@ struct RenderSettings {
   std::optional<raster::MinFilter> min_filter;  ///< Empty: the file's.
   std::optional<raster::MagFilter> mag_filter;
   bool textures = true;
+  bool mip_colors = false;  ///< Base colour pictures show a colour for each mip level.
   CameraChoice camera;
   std::vector<UserLight> lights;  ///< Any: these replace the file's.
   bool no_lights = false;

@@ -36,6 +36,7 @@ class SurfaceBuilder {
   void add_base_color(const TextureUse& use) {
     TexelUse texels;
     texels.opaque = surface_.alpha_mode == AlphaMode::opaque;
+    texels.mip_colors = options_.mip_colors;
     add_texture(use, texels, raster::TextureEnvMode::modulate);
   }
 

@@ -21,6 +21,7 @@ struct SurfaceOptions {
   Reflections reflections = Reflections::metals;
   pipeline::SpecularModel specular_model = pipeline::SpecularModel::blinn;
   ConversionLimits limits;
+  bool mip_colors = false;  ///< As TexelUse::mip_colors, for base colours.
 };
 
 struct Surface {

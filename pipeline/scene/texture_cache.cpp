@@ -1,8 +1,10 @@
 #include "pipeline/scene/texture_cache.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/scene/mip_colors.h"
 #include "pipeline/scene/transfer.h"
 
 namespace barrido::scene {
@@ -36,6 +38,27 @@ std::vector<std::uint8_t> changed(const Image& image, const TexelUse& use) {
   return rgba;
 }
 
+/// A texture of this size whose levels are of one colour each.
+raster::Texture colored_levels(int width, int height, const raster::TextureOptions& options) {
+  std::vector<std::vector<std::uint8_t>> texels;
+  std::vector<raster::Pixels8> levels;
+  for (int level = 0; level == 0 || (options.mipmaps && (width > 1 || height > 1)); ++level) {
+    if (level > 0) {
+      width = std::max(1, width / 2);
+      height = std::max(1, height / 2);
+    }
+    const MipColor& color = mip_color(level);
+    std::vector<std::uint8_t>& rgba = texels.emplace_back();
+    rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+    for (std::int64_t i = 0; i < std::int64_t{width} * height; ++i) {
+      rgba.insert(rgba.end(), {color[0], color[1], color[2], 255});
+    }
+    levels.push_back({width, height, {}});
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i].rgba = texels[i];
+  return raster::Texture::make_2d_levels(levels, options);
+}
+
 }  // namespace
 
 bool uses_mipmaps(raster::MinFilter filter) {
@@ -60,27 +83,27 @@ bool TextureCache::has_alpha(int image) {
 const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
   const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
   const bool removes_alpha = use.opaque && has_alpha(source.image);
-  const Key key{source.image,
-                source.wrap_s,
-                source.wrap_t,
-                use.encoding,
-                use.mipmaps,
-                removes_alpha,
-                {use.factor.r, use.factor.g, use.factor.b}};
+  const Key key{source.image, source.wrap_s, source.wrap_t,  use.encoding,
+                use.mipmaps,  removes_alpha, use.mip_colors, {use.factor.r, use.factor.g, use.factor.b}};
   const auto found = textures_.find(key);
   if (found != textures_.end()) return found->second;
 
   const Image& image = scene_.images[static_cast<std::size_t>(source.image)];
-  std::vector<std::uint8_t> own;
-  std::span<const std::uint8_t> rgba = image.rgba;
-  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed(image, use);
   raster::TextureOptions options;
   options.wrap_s = source.wrap_s;
   options.wrap_t = source.wrap_t;
   options.encoding = use.encoding;
   options.mipmaps = use.mipmaps;
-  raster::Texture built = raster::Texture::make_2d({image.width, image.height, rgba}, options);
-  return textures_.emplace(key, std::move(built)).first->second;
+  return textures_.emplace(key, build(image, use, removes_alpha, options)).first->second;
+}
+
+raster::Texture TextureCache::build(const Image& image, const TexelUse& use, bool removes_alpha,
+                                    const raster::TextureOptions& options) {
+  if (use.mip_colors) return colored_levels(image.width, image.height, options);
+  std::vector<std::uint8_t> own;
+  std::span<const std::uint8_t> rgba = image.rgba;
+  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed(image, use);
+  return raster::Texture::make_2d({image.width, image.height, rgba}, options);
 }
 
 const raster::Texture& TextureCache::white() {

@@ -20,6 +20,8 @@ struct TexelUse {
   bool mipmaps = true;
   bool opaque = false;        ///< Alpha counts as 1 in every texel.
   glm::vec3 factor{1, 1, 1};  ///< The colours are multiplied by this, and clamped, before filtering.
+  bool mip_colors =
+      false;  ///< Each level has a colour of its own in place of the picture's; see mip_colors.h.
 };
 
 bool uses_mipmaps(raster::MinFilter filter);
@@ -41,9 +43,12 @@ class TextureCache {
   glm::vec3 mean(int texture, raster::Encoding encoding);
 
  private:
-  using Key = std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, std::array<float, 3>>;
+  using Key =
+      std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, bool, std::array<float, 3>>;
 
   bool has_alpha(int image);
+  raster::Texture build(const Image& image, const TexelUse& use, bool removes_alpha,
+                        const raster::TextureOptions& options);
 
   const Scene& scene_;
   std::map<int, bool> has_alpha_;

@@ -205,58 +205,56 @@ float magnification_limit(const TextureUnit& unit) {
   return unit.mag_filter == MagFilter::linear && nearest_mipmap ? 0.5f : 0.0f;
 }
 
-Filtered sample_two_levels(const TextureUnit& unit, const Place& place, float lod, SampleTrace* trace) {
-  const Texture& texture = *unit.texture;
-  const int last = texture.level_count() - 1;
-  const float bounded = minimum(lod, static_cast<float>(last));
-  const int near_level = static_cast<int>(std::floor(bounded));
-  const int far_level = std::min(near_level + 1, last);
-  const float between = (bounded - static_cast<float>(near_level)) * 256.0f;
-  const bool linear = is_linear_within_level(unit.min_filter);
-  const float weight = std::floor(between);
-  if (trace != nullptr) trace->far_weight = weight * (1.0f / 256.0f);
-  const Filtered near_texel = sample_level(texture, near_level, place, linear, trace);
-  const Filtered far_texel = sample_level(texture, far_level, place, linear, trace);
-  return mix(near_texel, far_texel, static_cast<std::uint32_t>(weight));
-}
+}  // namespace
 
-Filtered sample_minified(const TextureUnit& unit, const Place& place, float lod, SampleTrace* trace) {
-  const Texture& texture = *unit.texture;
-  const bool linear = is_linear_within_level(unit.min_filter);
+LevelChoice choose_levels(const TextureUnit& unit, float lod) {
+  const float biased = lod + unit.lod_bias;
+  const int last = unit.texture->level_count() - 1;
+  LevelChoice choice;
+  choice.magnified = biased <= magnification_limit(unit);
+  choice.linear =
+      choice.magnified ? unit.mag_filter == MagFilter::linear : is_linear_within_level(unit.min_filter);
+  if (choice.magnified) return choice;
   switch (unit.min_filter) {
     case MinFilter::nearest:
     case MinFilter::linear:
       break;
     case MinFilter::nearest_mipmap_nearest:
-    case MinFilter::linear_mipmap_nearest: {
-      const auto last = static_cast<float>(texture.level_count() - 1);
-      const float level = minimum(maximum(std::ceil(lod + 0.5f) - 1.0f, 0.0f), last);
-      return sample_level(texture, static_cast<int>(level), place, linear, trace);
-    }
+    case MinFilter::linear_mipmap_nearest:
+      choice.first =
+          static_cast<int>(minimum(maximum(std::ceil(biased + 0.5f) - 1.0f, 0.0f), static_cast<float>(last)));
+      break;
     case MinFilter::nearest_mipmap_linear:
-    case MinFilter::linear_mipmap_linear:
-      return sample_two_levels(unit, place, lod, trace);
+    case MinFilter::linear_mipmap_linear: {
+      const float bounded = minimum(biased, static_cast<float>(last));
+      choice.two_levels = true;
+      choice.first = static_cast<int>(std::floor(bounded));
+      choice.second = std::min(choice.first + 1, last);
+      choice.fraction =
+          static_cast<std::uint32_t>(std::floor((bounded - static_cast<float>(choice.first)) * 256.0f));
+      break;
+    }
   }
-  return sample_level(texture, 0, place, linear, trace);
+  return choice;
 }
-
-}  // namespace
 
 Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&coordinates)[3], float lod,
                      SampleTrace* trace) {
   const Place place = place_of(kind, coordinates);
-  const float biased = lod + unit.lod_bias;
-  const bool magnified = biased <= magnification_limit(unit);
-  const Filtered filtered =
-      magnified ? sample_level(*unit.texture, 0, place, unit.mag_filter == MagFilter::linear, trace)
-                : sample_minified(unit, place, biased, trace);
+  const LevelChoice choice = choose_levels(unit, lod);
+  Filtered filtered = sample_level(*unit.texture, choice.first, place, choice.linear, trace);
+  if (choice.two_levels) {
+    filtered = mix(filtered, sample_level(*unit.texture, choice.second, place, choice.linear, trace),
+                   choice.fraction);
+  }
   const Color color = color_of(*unit.texture, filtered);
   if (trace != nullptr) {
     trace->face = place.face;
     trace->u = place.u;
     trace->v = place.v;
-    trace->lod = biased;
-    trace->magnified = magnified;
+    trace->lod = lod + unit.lod_bias;
+    trace->magnified = choice.magnified;
+    trace->far_weight = static_cast<float>(choice.fraction) * (1.0f / 256.0f);
     trace->color = color;
   }
   return color;

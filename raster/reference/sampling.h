@@ -2,11 +2,33 @@
 // nothing of what the colour is used for.
 #pragma once
 
+#include <cstdint>
+
 #include "raster/fragment_state.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/trace.h"
 
 namespace barrido::raster::reference {
+
+/// Which mip levels a unit reads for a level of detail, and how.
+struct LevelChoice {
+  bool magnified = false;
+  bool linear = false;  ///< Four texels a level, else one.
+  int first = 0;
+  int second = 0;              ///< Only read when two_levels.
+  bool two_levels = false;     ///< *_mipmap_linear, minified.
+  std::uint32_t fraction = 0;  ///< Weight of the second level in 1/256.
+
+  /// Texels that decide the colour: those of a level without weight are not counted.
+  int texels() const { return (linear ? 4 : 1) * (two_levels && fraction > 0 ? 2 : 1); }
+  /// The level between the two, 0 for magnified textures.
+  float level() const {
+    return static_cast<float>(first) + (two_levels ? static_cast<float>(fraction) * (1.0f / 256.0f) : 0.0f);
+  }
+};
+
+/// `lod` is λ without the unit's bias; the unit must have a texture.
+LevelChoice choose_levels(const TextureUnit& unit, float lod);
 
 /// `coordinates` holds two or three numbers, as `kind` says; `lod` is λ without the unit's bias. What was
 /// read is remembered in `trace` unless that is null.

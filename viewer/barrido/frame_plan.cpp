@@ -67,14 +67,20 @@ int animation_of(const RenderOptions& options, const FileFacts& file) {
                                            : "only animations 0 to " + std::to_string(file.animations - 1)));
 }
 
+std::string view_name(const PlannedFrame& frame) {
+  return frame.view ? std::string(inspect::name_of(*frame.view)) : "picture";
+}
+
 FrameName name_of_frame(const std::string& path, const PlannedFrame& frame) {
   return {model_name(path), std::string(name_of(frame.shading)),
-          frame.camera == scene::kNone ? "auto" : std::to_string(frame.camera), frame.number};
+          frame.camera == scene::kNone ? "auto" : std::to_string(frame.camera), frame.number,
+          view_name(frame)};
 }
 
 std::string label_of(const RenderOptions& options, const std::string& path, const PlannedFrame& frame) {
   std::string label = model_name(path) + "/" + std::string(name_of(frame.shading));
   if (chooses_camera(options)) label += "/camera" + std::to_string(frame.camera);
+  if (frame.view || options.views.size() > 1) label += "/" + view_name(frame);
   if (has_several_moments(options)) label += "/frame" + std::to_string(frame.number);
   return label;
 }
@@ -87,7 +93,8 @@ std::string missing_placeholders(const RenderOptions& options, const OutputTempl
       {"model", options.files.size() > 1},
       {"shading", options.shadings.size() > 1},
       {"camera", options.all_cameras || options.cameras.size() > 1},
-      {"frame", has_several_moments(options)}};
+      {"frame", has_several_moments(options)},
+      {"view", options.views.size() > 1}};
   std::string missing;
   for (const auto& [placeholder, differs] : differing) {
     if (!differs || output.has(placeholder)) continue;
@@ -134,30 +141,39 @@ std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFa
   std::vector<PlannedFrame> frames;
   for (const int camera : cameras_of(options, file)) {
     for (const pipeline::ShadeModel shading : options.shadings) {
-      for (const Moment& moment : moments) {
-        PlannedFrame frame{shading, camera, moment.number, animation, moment.time_s, moment.azimuth_deg,
-                           "",      ""};
-        frame.label = label_of(options, file.path, frame);
-        if (has_own_file(options)) frame.output = output.expand(name_of_frame(file.path, frame));
-        frames.push_back(std::move(frame));
+      for (const auto& view : options.views) {
+        for (const Moment& moment : moments) {
+          PlannedFrame frame{shading, camera, moment.number, animation, moment.time_s, moment.azimuth_deg,
+                             "",      "",     view};
+          frame.label = label_of(options, file.path, frame);
+          if (has_own_file(options)) frame.output = output.expand(name_of_frame(file.path, frame));
+          frames.push_back(std::move(frame));
+        }
       }
     }
   }
   return frames;
 }
 
-std::size_t moment_count(const RenderOptions& options) { return moments_of(options).size(); }
+std::size_t frames_side_by_side(const RenderOptions& options) {
+  const std::size_t moments = moments_of(options).size();
+  if (moments > 1) return moments;
+  return options.views.size() > 1 ? options.views.size() : options.shadings.size();
+}
 
 std::string sheet_name(const RenderOptions& options) {
   const OutputTemplate output(options.output);
-  const std::pair<std::string_view, bool> impossible[] = {
-      {"model", options.files.size() > 1}, {"shading", true}, {"camera", true}, {"frame", true}};
+  const std::pair<std::string_view, bool> impossible[] = {{"model", options.files.size() > 1},
+                                                          {"shading", true},
+                                                          {"camera", true},
+                                                          {"frame", true},
+                                                          {"view", true}};
   for (const auto& [placeholder, differs] : impossible) {
     if (!differs || !output.has(placeholder)) continue;
     throw UsageError("--output: '" + options.output + "': a sheet is one picture for every {" +
                      std::string(placeholder) + "}; leave it out");
   }
-  return output.expand({model_name(options.files[0]), "", "", 0});
+  return output.expand({model_name(options.files[0]), "", "", 0, ""});
 }
 
 void check_output_names(const RenderOptions& options) {

@@ -2,6 +2,7 @@
 // and a few facts of a loaded file; leaves: a list. Draws and writes nothing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct PlannedFrame {
   float azimuth_deg = 0.0f;      ///< Of the turntable, to be added.
   std::string label;             ///< "teapot/phong", "teapot/phong/camera1/frame3".
   std::string output;            ///< File name; empty where there is none of its own (sheet, only --hash).
+  std::optional<inspect::StructureView> view;  ///< None: the frame itself.
 };
 
 /// What a plan must know of a file.
@@ -28,12 +30,13 @@ struct FileFacts {
   int animations = 0;
 };
 
-/// The frames of one file: cameras, in each all shadings, in each all moments.
+/// The frames of one file: cameras, in each all shadings, in each all views, in each all moments.
 /// @throws UsageError when a camera or an animation asked for does not exist.
 std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFacts& file);
 
-/// How many moments there are of each camera and shading mode: frames of the animation or the turntable.
-std::size_t moment_count(const RenderOptions& options);
+/// How many frames stand side by side in a sheet: the moments of each camera, shading mode and view, or else
+/// the views or the shading modes.
+std::size_t frames_side_by_side(const RenderOptions& options);
 
 /// Whether the template gives each frame of the call a name of its own that can be written; asked before
 /// anything is loaded.

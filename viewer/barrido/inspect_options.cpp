@@ -10,9 +10,9 @@ namespace barrido::cli {
 namespace {
 
 /// Options of render that say what becomes of frames, or ask for several.
-constexpr std::string_view kOfRenderOnly[] = {"--output", "--sheet", "--compression",
-                                              "--hash",   "--stats", "--turntable",
-                                              "--frames", "--fps",   "--visibility-first"};
+constexpr std::string_view kOfRenderOnly[] = {
+    "--output", "--sheet", "--compression",      "--hash", "--stats", "--turntable",
+    "--frames", "--fps",   "--visibility-first", "--view"};
 
 constexpr std::size_t kPixel = 0, kJson = 1;
 

@@ -69,7 +69,8 @@ int RenderCall::run() {
 
 void RenderCall::resolve_settings() {
   settings_ = resolved_settings(options_);
-  settings_.keep_float = !options_.sheet && holds_floats(options_.output);
+  const bool is_picture = options_.views.size() == 1 && !options_.views[0];
+  settings_.keep_float = is_picture && !options_.sheet && holds_floats(options_.output);
 }
 
 void RenderCall::load_environment() {
@@ -139,7 +140,8 @@ void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, F
     scene::RenderSettings settings = settings_of(settings_, *frame.plan);
     raster::StageProfile profile;
     if (options_.stats != StatsFormat::none) settings.profile = &profile;
-    frame.framebuffer = renderer.render(settings, &frame.cost.counts);
+    frame.framebuffer = frame.plan->view ? inspect::draw_view(renderer, settings, *frame.plan->view)
+                                         : renderer.render(settings, &frame.cost.counts);
     for (int stage = 0; stage < raster::kStageCount; ++stage) {
       frame.cost.stage_ms[static_cast<std::size_t>(stage)] =
           profile.milliseconds(static_cast<raster::Stage>(stage));
@@ -186,8 +188,7 @@ void RenderCall::deliver(FrameInFlight& frame) {
 void RenderCall::write_sheet() {
   console_.set_progress("writing the sheet");
   const std::string name = sheet_name(options_);
-  const std::size_t moments = moment_count(options_);
-  const int columns = sheet_columns(report_.frames.size(), moments > 1 ? moments : options_.shadings.size());
+  const int columns = sheet_columns(report_.frames.size(), frames_side_by_side(options_));
   if (name == "-") {
     console_.end_progress();
   } else {

@@ -19,12 +19,19 @@ constexpr RenderOption kOutput[] = {
     {{"Output", "--output", "-o", kValue, "OUT",
       "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard output (PNG). May "
       "hold "
-      "{model} {shading} {camera} {frame} {frame:04}; {{ is a brace. Folders that are missing are made. May "
+      "{model} {shading} {camera} {frame} {frame:04} {view}; {{ is a brace. Folders that are missing are "
+      "made. May "
       "be "
       "left out with --hash or --stats."},
      [](Options& o, Text text) { o.output = text; }},
     {{"Output", "--resolution", "", kValue, "W,H", "Size in pixels, each in 1..16384. Default 1280,720."},
      set_resolution},
+    {{"Output", "--view", "", kValue, "LIST",
+      "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
+      "layers, "
+      "illuminations, texels, mip-level, mip-colors, triangles, depth, normals or mach-bands; several with "
+      "commas between (picture is the picture itself), or all; a frame for each."},
+     set_views},
     {{"Output", "--sheet", "", kFlag, "", "All frames of the call in one picture, each with its name."},
      [](Options& o, Text) { o.sheet = true; }},
     {{"Output", "--compression", "", kValue, "N", "Of PNG, 0 (none) to 9 (smallest). Default 1."},

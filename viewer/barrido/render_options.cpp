@@ -41,6 +41,7 @@ constexpr Exclusion kExclusions[] = {
     {"--no-lights", "--light"},
     {"--turntable", "--frames"},
     {"--time", "--frames"},
+    {"--view", "--stats"},
     {"--camera-index", "--camera-position"},
     {"--camera-index", "--camera-focal-point"},
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/inspect/structure_view.h"
 #include "pipeline/scene/render_scene.h"
 #include "raster/simd_target.h"
 #include "viewer/barrido/arguments.h"
@@ -31,6 +32,7 @@ struct RenderOptions {
 
   std::string output;  ///< Template; empty when only --hash or --stats is asked for.
   std::vector<pipeline::ShadeModel> shadings{pipeline::ShadeModel::phong};
+  std::vector<std::optional<inspect::StructureView>> views{std::nullopt};  ///< None: the picture itself.
   bool sheet = false;
   bool hash = false;
   bool quiet = false;

@@ -59,6 +59,31 @@ void set_shadings(RenderOptions& options, std::string_view text) {
   }
 }
 
+void set_views(RenderOptions& options, std::string_view text) {
+  options.views.clear();
+  std::vector<std::string_view> names{"picture"};
+  for (int i = 0; i < inspect::kStructureViewCount; ++i) {
+    names.push_back(inspect::name_of(static_cast<inspect::StructureView>(i)));
+  }
+  if (text == "all") {
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      options.views.push_back(inspect::structure_view_of(names[i]));
+    }
+    return;
+  }
+  for (const std::string_view name : split(text, ',')) {
+    const auto view = inspect::structure_view_of(name);
+    if (!view && name != "picture") {
+      throw ValueError("expected " + one_of(names) + did_you_mean(name, names) +
+                       " (or several with commas between, or all)");
+    }
+    if (std::find(options.views.begin(), options.views.end(), view) != options.views.end()) {
+      throw ValueError(std::string(name) + " is given twice");
+    }
+    options.views.push_back(view);
+  }
+}
+
 void set_stats(RenderOptions& options, std::string_view text) {
   constexpr std::array<Choice<StatsFormat>, 2> kFormats{
       {{"text", StatsFormat::text}, {"json", StatsFormat::json}}};

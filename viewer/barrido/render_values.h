@@ -10,6 +10,7 @@ namespace barrido::cli {
 /// All throw ValueError saying what is allowed.
 void set_resolution(RenderOptions& options, std::string_view text);
 void set_shadings(RenderOptions& options, std::string_view text);
+void set_views(RenderOptions& options, std::string_view text);
 void set_stats(RenderOptions& options, std::string_view text);
 void set_environment(RenderOptions& options, std::string_view text);
 void set_background(RenderOptions& options, std::string_view text);

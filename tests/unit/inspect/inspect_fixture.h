@@ -11,6 +11,7 @@
 
 #include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/import_gltf.h"
+#include "raster/simd_target.h"
 
 namespace barrido::inspect {
 

@@ -6,13 +6,14 @@
 namespace barrido::cli {
 namespace {
 
-const FrameName kName{"teapot", "cheap-phong", "2", 7};
+const FrameName kName{"teapot", "cheap-phong", "2", 7, "overdraw"};
 
 TEST(OutputTemplate, PlaceholdersAreReplaced) {
   EXPECT_EQ(OutputTemplate("a/{model}-{shading}_{camera}.{frame}.png").expand(kName),
             "a/teapot-cheap-phong_2.7.png");
   EXPECT_EQ(OutputTemplate("{frame:04}{frame:01}{frame:09}").expand(kName), "00077000000007");
-  EXPECT_EQ(OutputTemplate("{frame:02}").expand({"", "", "", 12345}), "12345");
+  EXPECT_EQ(OutputTemplate("{frame:02}").expand({"", "", "", 12345, ""}), "12345");
+  EXPECT_EQ(OutputTemplate("{view}.png").expand(kName), "overdraw.png");
   EXPECT_EQ(OutputTemplate("plain.png").expand(kName), "plain.png");
 }
 
@@ -40,8 +41,9 @@ TEST(OutputTemplate, MistakesAreRefused) {
     OutputTemplate("{name}.png");
     FAIL();
   } catch (const ValueError& error) {
-    EXPECT_STREQ(error.what(),
-                 "unknown placeholder {name}: expected {model}, {shading}, {camera}, {frame} or {frame:04}");
+    EXPECT_STREQ(
+        error.what(),
+        "unknown placeholder {name}: expected {model}, {shading}, {camera}, {frame}, {frame:04} or {view}");
   }
 }
 

@@ -1,0 +1,74 @@
+// Views of what a frame costs and what it is made of, as false colour: how often each pixel is drawn, how
+// many texels it reads, which triangle, mip level, depth and normal it shows, and where shading leaves Mach
+// bands. Enters: a scene and the settings of a frame; leaves: a number a pixel, and a picture of them with a
+// legend.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/scene/render_scene.h"
+#include "raster/framebuffer.h"
+
+namespace barrido::inspect {
+
+enum class StructureView : std::uint8_t {
+  overdraw,       ///< Fragments shaded a pixel, in drawing order without visibility first.
+  layers,         ///< Fragments that cover a pixel, hidden ones included.
+  illuminations,  ///< Evaluations of one light a pixel; those of vertices and centroids where they lie.
+  texels,         ///< Texels that filters read a pixel, in drawing order without visibility first.
+  mip_level,      ///< Mip level that the visible surface's picture is read at.
+  mip_colors,     ///< The frame with a colour for each mip level in place of the pictures.
+  triangles,      ///< A colour for each visible triangle.
+  depth,          ///< Distance of the visible surface from the eye, along the line of sight.
+  normals,        ///< Normal with which the visible surface is lit, in eye space.
+  mach_bands,     ///< Second derivative of the frame's brightness: light bands and dark bands.
+};
+inline constexpr int kStructureViewCount = 10;
+
+/// "overdraw", "mip-level", "mach-bands" …: as on the command line.
+std::string_view name_of(StructureView view);
+std::optional<StructureView> structure_view_of(std::string_view name);
+
+/// One sentence a view, for help and panels.
+std::string_view description_of(StructureView view);
+
+/// What a view found, before it is coloured. Arrays are in the frame's order, top row first.
+struct ViewValues {
+  StructureView view = StructureView::overdraw;
+  int width = 0, height = 0;
+  /// A pixel's number; NaN where there is none (background, or no picture). Of normals: x; of triangles: a
+  /// number of the triangle.
+  std::vector<float> values;
+  std::vector<std::array<float, 3>> normals;  ///< Of StructureView::normals only; NaN for none.
+  std::vector<std::uint32_t> colors;          ///< Of mip_colors only: the frame as drawn.
+  double least = 0.0, most = 0.0;             ///< Of the pixels that have a number; 0 where none has.
+  double mean = 0.0;                          ///< Of the pixels that have a number.
+  std::uint64_t counted = 0;                  ///< Pixels that have a number.
+  std::uint64_t total = 0;  ///< Sum of counts over the picture; of triangles: how many are seen.
+  /// Illuminations of vertices and centroids that lie outside the picture; in the frame's total, not in
+  /// `total`.
+  std::uint64_t outside = 0;
+};
+
+/// Works a view out. Other settings than those of the view (visibility_first, say) are as given.
+/// @throws scene::InputError as SceneRenderer::render.
+ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
+                        StructureView view);
+
+/// The values in false colour: 8-bit, opaque, of the frame's size; with a legend that much higher (the
+/// picture stands on it, so pixels keep their places from the top).
+raster::Framebuffer view_picture(const ViewValues& values, bool with_legend);
+
+/// Height in pixels of the legend of a picture of this width.
+int legend_height(int width);
+
+/// Both steps at once.
+raster::Framebuffer draw_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
+                              StructureView view, bool with_legend = true);
+
+}  // namespace barrido::inspect

@@ -1,0 +1,53 @@
+#include "pipeline/inspect/view_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/inspect/story_words.h"
+
+namespace barrido::inspect {
+
+double ViewScale::place_of(double value) const {
+  if (is_signed) {
+    // Thin bands are weak beside edges; a square root shows both.
+    const double t = std::sqrt(std::min(std::abs(value) / most, 1.0));
+    return value < 0.0 ? -t : t;
+  }
+  return most > least ? (value - least) / (most - least) : 0.0;
+}
+
+double ViewScale::value_at(double t) const {
+  if (is_signed) {
+    const double place = 2.0 * t - 1.0;
+    return place * std::abs(place) * most;
+  }
+  return least + t * (most - least);
+}
+
+ViewScale scale_of(const ViewValues& values) {
+  ViewScale scale;
+  switch (values.view) {
+    case StructureView::mach_bands:
+      scale.is_signed = true;
+      scale.most = kMachBandLimit;
+      scale.least = -kMachBandLimit;
+      scale.least_word = "light band " + number(scale.least);
+      scale.most_word = "+" + number(scale.most) + " dark band";
+      return scale;
+    case StructureView::depth:
+      scale.least = values.least;
+      scale.most = values.most;
+      scale.least_word = number(scale.least) + " near";
+      scale.most_word = number(scale.most) + " far";
+      return scale;
+    default:
+      break;
+  }
+  scale.least = 0.0;
+  scale.most = std::max(values.most, 1.0);
+  scale.least_word = number(scale.least);
+  scale.most_word = number(scale.most);
+  return scale;
+}
+
+}  // namespace barrido::inspect
