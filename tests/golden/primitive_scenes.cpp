@@ -36,6 +36,18 @@ void draw_modes(Stage& stage, pipeline::ShadeModel shade_model) {
 void modes_smooth(Stage& stage) { draw_modes(stage, pipeline::ShadeModel::gouraud); }
 void modes_flat(Stage& stage) { draw_modes(stage, pipeline::ShadeModel::flat); }
 
+/// The six polygonal modes without their backs, and below without their fronts: where strips turn round every
+/// other triangle, nothing is missing above and nothing is left below.
+void modes_culled(Stage& stage) {
+  for (int cell = 0; cell < 12; ++cell) {
+    State state = in_cell(flat_view(), cell, 6, 2);
+    state.cull_face = cell < 6 ? pipeline::CullFace::back : pipeline::CullFace::front;
+    Shape shape = eight_vertices(static_cast<PrimitiveMode>(4 + cell % 6));
+    if (shape.mode == PrimitiveMode::triangles) shape.indices = {0, 1, 2, 3, 5, 4};
+    stage.draw(state, shape);
+  }
+}
+
 /// Sizes 1 to 12; a size is rounded to whole pixels.
 void points(Stage& stage) {
   State state;
@@ -112,6 +124,7 @@ void clipped_outlines(Stage& stage) {
 std::vector<Scene> primitive_scenes() {
   return {{"modes_smooth", modes_smooth},
           {"modes_flat", modes_flat},
+          {"modes_culled", modes_culled},
           {"points", points},
           {"lines", lines},
           {"polygon_modes", polygon_modes},
