@@ -151,6 +151,10 @@ void tell_illumination(const FragmentContext& context, const FrameChunk& place, 
       break;
   }
   if (draw.plan->shading != Shading::cheap_phong) return;
+  for (std::size_t k = 0; k < story.corners.size(); ++k) {
+    add_products(model, draw.plan->cheap_phong_power,
+                 VertexAgain(draw, story.corners[k].vertex).point(story.back_facing), story.illuminations[k]);
+  }
   const std::span<const float> dots(story.trace.varyings.data() + layout.dots,
                                     static_cast<std::size_t>(pipeline::cheap_phong_varyings(model)));
   story.from_products = explain_products(model, draw.plan->cheap_phong_power, dots,
@@ -168,6 +172,7 @@ FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& pl
   tell_names(context, *place.origin, story);
   story.triangle = number_in_file(place, source);
   story.topology = chunk.topology;
+  story.of_polygon = pipeline::is_polygonal(place.draw->geometry.mode);
   story.clipped = is_clipped(chunk, primitive);
   story.back_facing = faces_back(place, primitive, source);
   story.shading = place.draw->plan->shading;

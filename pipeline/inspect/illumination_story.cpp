@@ -280,6 +280,18 @@ IlluminationStory explain_illumination(const Illumination& illumination, const L
   return story;
 }
 
+void add_products(const Illumination& illumination, pipeline::CheapPhongPower power, const LitPoint& point,
+                  IlluminationStory& story) {
+  const PointColumns columns(point);
+  std::vector<Column> dots(static_cast<std::size_t>(pipeline::cheap_phong_varyings(illumination)));
+  std::vector<float*> pointers;
+  for (Column& column : dots) pointers.push_back(column.lane);
+  pipeline::cheap_phong_dots(illumination, power, columns.points, pointers);
+  for (std::size_t i = 0; i < story.lights.size(); ++i) {
+    story.lights[i].products = {dots[2 * i].lane[0], dots[2 * i + 1].lane[0]};
+  }
+}
+
 IlluminationStory explain_products(const Illumination& illumination, pipeline::CheapPhongPower power,
                                    std::span<const float> dots, const glm::vec4& color, bool back,
                                    const LightingNames& names) {

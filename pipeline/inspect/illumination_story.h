@@ -30,6 +30,10 @@ struct LightingNames {
 IlluminationStory explain_illumination(const pipeline::Illumination& illumination, const LitPoint& point,
                                        const LightingNames& names);
 
+/// Fills LightStory::products of a corner's story.
+void add_products(const pipeline::Illumination& illumination, pipeline::CheapPhongPower power,
+                  const LitPoint& point, IlluminationStory& story);
+
 /// The model from interpolated dot products (cheap Phong); `dots` as cheap_phong_dots writes them, one number
 /// a column.
 IlluminationStory explain_products(const pipeline::Illumination& illumination,

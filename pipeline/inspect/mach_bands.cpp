@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <tbb/parallel_for.h>
+
 #include "pipeline/inspect/view_observers.h"
 #include "raster/reference/canvas.h"
 
@@ -10,11 +12,11 @@ namespace {
 std::vector<float> displayed_luma(const raster::Framebuffer& frame) {
   const raster::DisplayTransform& display = frame.options().display;
   std::vector<float> luma(frame.color8().size());
-  for (std::size_t i = 0; i < luma.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, luma.size(), [&](std::size_t i) {
     const float* c = frame.color_float().data() + 4 * i;
     const auto shown = [&](std::size_t k) { return raster::reference::display_channel(display, c[k]); };
     luma[i] = (0.2126f * shown(0) + 0.7152f * shown(1) + 0.0722f * shown(2)) * 255.0f;
-  }
+  });
   return luma;
 }
 

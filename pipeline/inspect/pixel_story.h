@@ -39,6 +39,9 @@ struct LightStory {
   Rgb ambient{};                   ///< Share of the sum; of lights that weaken.
   Rgb diffuse{};                   ///< Share of the sum: weakening · I_p · k_d · max(N·L, 0)
   Rgb specular{};                  ///< Share of the sum: weakening · I_p · k_s · power
+  /// At corners under cheap Phong, what is interpolated: weakening·(N·L), and highlight·weakening^(1/n) or
+  /// its power.
+  std::optional<std::array<float, 2>> products;
 };
 
 /// One evaluation of the illumination model. primary = base + Σ (ambient + diffuse), secondary = Σ specular,
@@ -102,6 +105,7 @@ struct FragmentStory {
   std::string node_name, mesh_name, material_name;
   std::uint32_t triangle = 0;  ///< Of the primitive in the file; or its point or line.
   raster::Topology topology = raster::Topology::triangles;  ///< As drawn: wireframes are lines.
+  bool of_polygon = true;                                   ///< False: a point or line of the file.
   bool clipped = false;      ///< What covers the pixel is a piece that clipping left.
   bool back_facing = false;  ///< Seen from behind.
   pipeline::Shading shading = pipeline::Shading::constant;
@@ -149,8 +153,7 @@ std::vector<PixelStory> inspect_pixels(const scene::Scene& scene, scene::SceneRe
                                        const scene::RenderSettings& settings,
                                        std::span<const PixelPosition> pixels);
 
-/// The story told as the course's formula with numbers; lines end in "\n" and before column 120 where names
-/// permit.
+/// The story told as the course's formula with numbers, in UTF-8; lines end in "\n".
 std::string story_text(const PixelStory& story);
 
 /// The same as JSON, indented; the schema is docs/inspect.md.

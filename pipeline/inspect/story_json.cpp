@@ -47,6 +47,7 @@ Json light_json(const LightStory& light, bool has_vectors) {
   json["ambient"] = list(light.ambient);
   json["diffuse"] = list(light.diffuse);
   json["specular"] = list(light.specular);
+  if (light.products) json["products"] = *light.products;
   return json;
 }
 

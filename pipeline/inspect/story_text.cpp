@@ -67,9 +67,11 @@ void tell_display(const PixelStory& story, Lines& lines) {
 
 std::string source_words(const FragmentStory& f) {
   if (f.backdrop) return "the environment behind everything";
+  const std::string kind(name_of(f.topology));
   const std::string what = f.topology == raster::Topology::triangles ? "triangle "
-                           : f.topology == raster::Topology::lines   ? "line of "
-                                                                     : "point of ";
+                           : !f.of_polygon                           ? kind + " "
+                           : f.topology == raster::Topology::lines   ? "edge of triangle "
+                                                                     : "corner of triangle ";
   return what + std::to_string(f.triangle) + " of " + named("mesh", f.mesh, f.mesh_name) + " primitive " +
          std::to_string(f.primitive) + ", " + named("node", f.node, f.node_name) + ", " +
          named("material", f.material, f.material_name) + (f.back_facing ? ", seen from behind" : "");

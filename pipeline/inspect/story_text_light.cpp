@@ -34,6 +34,11 @@ void tell_light(const LightStory& light, const IlluminationStory& story, const s
   } else {
     lines.add(2, "light '" + light.name + "': Ip = " + tuple(light.intensity));
   }
+  if (light.products) {
+    lines.add(3, "interpolated: " + std::string(light.weakening != 1.0f ? "f·" : "") + "N·L " +
+                     number((*light.products)[0]) + ", " + highlight + " " + number((*light.products)[1]));
+    return;
+  }
   const std::string factor = light.weakening != 1.0f ? "f·" : "";
   if (!is_zero(light.ambient)) lines.add(3, padded("ambient", 44) + "= " + tuple(light.ambient));
   lines.add(3, padded("diffuse   " + factor + "Ip·kd·max(" + number(light.n_dot_l) + ", 0)", 44) + "= " +
@@ -51,24 +56,26 @@ void tell_light(const LightStory& light, const IlluminationStory& story, const s
 void tell_illumination(const IlluminationStory& story, pipeline::SpecularModel model, bool first,
                        Lines& lines) {
   const std::string highlight = model == pipeline::SpecularModel::blinn ? "N·H" : "R·V";
-  lines.add(1, "Illumination at the " + story.place +
-                   (story.back_side ? " (back side: N is turned round)" : "") + ":");
-  if (first) tell_formula(story, highlight, lines);
+  const bool corner = !story.lights.empty() && story.lights[0].products.has_value();
+  lines.add(1, (corner ? "Products at the " : "Illumination at the ") + story.place +
+                   (story.back_side ? " (back side: N is turned round):" : ":"));
+  if (first && !corner) tell_formula(story, highlight, lines);
   if (!story.interpolated_products) {
     lines.add(2, "N = " + tuple(story.normal) + ", V = " + tuple(story.to_viewer) +
                      ", P = " + tuple(story.position) + " (eye space)");
   }
-  if (first) {
+  if (first && !corner) {
     lines.add(2, "kd = " + tuple(story.k_diffuse) + ", ks = " + tuple(story.k_specular) +
                      ", n = " + number(story.shininess));
     lines.add(2, "ka = " + tuple(story.k_ambient) + ", Ia = " + tuple(story.ambient_light) +
                      ", ke = " + tuple(story.emission));
   }
-  lines.add(2, padded("ke + ka·Ia", 46) + "= " + tuple(story.base));
+  if (!corner) lines.add(2, padded("ke + ka·Ia", 46) + "= " + tuple(story.base));
   if (!is_zero(story.interpolated_ambient)) {
     lines.add(2, padded("[ambient of lights that weaken]", 46) + "= " + tuple(story.interpolated_ambient));
   }
   for (const LightStory& light : story.lights) tell_light(light, story, highlight, lines);
+  if (corner) return;
   if (is_zero(story.secondary)) {
     lines.add(2, padded("sum, with alpha", 46) + "= " + tuple(story.primary));
     return;

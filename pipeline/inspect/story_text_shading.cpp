@@ -21,9 +21,9 @@ void tell_corners(const FragmentStory& f, Lines& lines) {
     if (!f.clipped && c.screen_weight != c.weight) {
       line += " (" + number(c.screen_weight) + " on the screen)";
     }
-    line += ", window (" + number(c.window_x) + ", " + number(c.window_y) + "), z = " + number(c.depth) +
-            ", w = " + number(c.w);
     lines.add(2, line);
+    lines.add(3, "window (" + number(c.window_x) + ", " + number(c.window_y) + "), z = " + number(c.depth) +
+                     ", w = " + number(c.w));
     if (c.lit) {
       lines.add(
           3, "colour " + tuple(*c.lit) + (c.lit_secondary ? ", highlights " + tuple(*c.lit_secondary) : ""));
@@ -40,9 +40,12 @@ std::string along(const raster::reference::SpanQuantity& quantity, int steps) {
 void tell_span(const FragmentStory& f, int x, Lines& lines) {
   const auto& trace = f.trace;
   const int steps = x - trace.along.anchor;
-  lines.add(1, "Scanline y = " + std::to_string(trace.span.y) + ": pixels " +
-                   std::to_string(trace.span.first) + " to " + std::to_string(trace.span.end - 1) +
-                   "; from the first of them " + std::to_string(steps) + (steps == 1 ? " step" : " steps"));
+  const int begin = trace.span.first, last = trace.span.end - 1;
+  lines.add(1, "Scanline y = " + std::to_string(trace.span.y) +
+                   (begin == last ? ": pixel " + std::to_string(begin)
+                                  : ": pixels " + std::to_string(begin) + " to " + std::to_string(last) +
+                                        "; from the first of them " + std::to_string(steps) +
+                                        (steps == 1 ? " step" : " steps")));
   lines.add(2, "z   = " + along(trace.along.quantities[raster::kRecordDepth], steps));
   lines.add(2, "1/w = " + along(trace.along.quantities[raster::kRecordQ], steps) +
                    ", w = " + number(1.0 / trace.q));

@@ -102,6 +102,33 @@ TEST_F(Story, BlendedTrianglesKeepTheirNumbersOfTheFile) {
   EXPECT_EQ(upper.fragments.back().triangle, 1u);
 }
 
+TEST(StoryText, CheapPhongTellsTheProductsThatItInterpolates) {
+  const scene::Scene scene = model("room.glb");
+  scene::SceneRenderer renderer(scene);
+  scene::RenderSettings settings;
+  settings.width = 200;
+  settings.height = 140;
+  settings.shading = ShadeModel::cheap_phong;
+  int told = 0;
+  for (const PixelStory& story : inspect_pixels(scene, renderer, settings, random_pixels(settings, 20, 2))) {
+    for (const FragmentStory& fragment : story.fragments) {
+      if (!fragment.from_products) continue;
+      if (fragment.fate == Fate::visible) {
+        EXPECT_NE(story_text(story).find("interpolated: f·N·L"), std::string::npos);
+      }
+      for (std::size_t i = 0; i < fragment.from_products->lights.size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sum += fragment.corners[k].weight * (*fragment.illuminations[k].lights[i].products)[0];
+        }
+        EXPECT_NEAR(sum, fragment.from_products->lights[i].n_dot_l, 2e-3);
+        ++told;
+      }
+    }
+  }
+  EXPECT_GT(told, 10);
+}
+
 TEST_F(Story, BackgroundIsSaidToBeThat) {
   const PixelStory story = tell(63, 0);
   EXPECT_EQ(story.front, -1);
