@@ -81,6 +81,8 @@ TEST(StructureView, CountsAddUpWithMasksBlendingAndProvokingVertices) {
   const int blended = builder.add_material(scene::testing::unlit({1, 0, 0, 0.5f}, scene::AlphaMode::blend));
   builder.add_mesh_node(scene::testing::square(builder.add_material(scene::testing::matte({1, 1, 1}))));
   builder.add_mesh_node(scene::testing::square(masked), {0.2f, 0.1f, 0.5f});
+  const int behind = builder.add_material(scene::testing::matte({0, 1, 0}));
+  builder.add_mesh_node(scene::testing::square(behind), {0.4f, 0.2f, 0.3f});  // seen through the masked one
   builder.add_mesh_node(scene::testing::square(blended), {-0.3f, 0.0f, 1.0f});
   builder.add_mesh_node(scene::testing::square(blended), {0.0f, -0.3f, 0.7f});
   scene::SceneRenderer renderer(builder.scene);
