@@ -88,16 +88,18 @@ void draw_bar(const ViewValues& values, int top, Strip& strip) {
   strip.text(right + 6 * s, top, most, kBright);
 }
 
-/// One patch a mip level.
-void draw_levels(const ViewValues&, int top, Strip& strip) {
+/// One patch a mip level, as wide as there is room for.
+void draw_levels(int top, Strip& strip) {
   const int s = strip.scale();
-  int left = kMargin * s;
-  for (int level = 0; level < static_cast<int>(scene::kMipColors.size()); ++level) {
-    strip.fill(left, top + 2 * s, left + 24 * s, top + (kRow - 2) * s,
+  const int count = static_cast<int>(scene::kMipColors.size());
+  const int cell = std::min(56 * s, (strip.width() - 2 * kMargin * s) / count);
+  for (int level = 0; level < count; ++level) {
+    const int left = kMargin * s + level * cell;
+    strip.fill(left, top + 2 * s, left + cell - 20 * s, top + (kRow - 2) * s,
                [&](int) { return Rgb8(scene::mip_color(level)); });
-    left = strip.text(left + 28 * s, top, std::to_string(level), kBright) + 10 * s;
+    strip.text(left + cell - 16 * s, top, std::to_string(level), kBright);
   }
-  strip.text(left, top, "and so on from the first colour", kDim);
+  strip.text(kMargin * s + count * cell, top, "and so on from the first colour", kDim);
 }
 
 /// The three axes as the colours that they give.
@@ -123,6 +125,7 @@ std::string figures(const ViewValues& v) {
       return "maximum " + number(v.most) + ", mean " + number(v.mean) + ", sum " + grouped(v.total);
     case StructureView::illuminations:
       return "maximum " + number(v.most) + ", mean " + number(v.mean) + ", sum " + grouped(v.total) +
+             "; colours by square roots" +
              (v.outside > 0 ? ", and " + grouped(v.outside) + " outside the picture" : "");
     case StructureView::mip_level:
     case StructureView::depth:
@@ -149,14 +152,15 @@ int legend_height(int width) { return (2 * kMargin + 3 * kRow + 2 * kGap) * text
 std::vector<std::uint32_t> draw_legend(const ViewValues& values) {
   Strip strip(values.width);
   const int s = strip.scale();
-  strip.text(kMargin * s, kMargin * s,
-             std::string(name_of(values.view)) + ": " + std::string(description_of(values.view)), kBright,
-             true);
+  const std::string name(name_of(values.view));
+  const std::string title = name + ": " + std::string(description_of(values.view));
+  const bool fits = scene::text_width(title, {s, true}) <= strip.width() - 2 * kMargin * s;
+  strip.text(kMargin * s, kMargin * s, fits ? title : name, kBright, true);
   const int second = (kMargin + kRow + kGap) * s;
   switch (values.view) {
     case StructureView::mip_level:
     case StructureView::mip_colors:
-      draw_levels(values, second, strip);
+      draw_levels(second, strip);
       break;
     case StructureView::triangles:
       break;

@@ -13,7 +13,8 @@ double ViewScale::place_of(double value) const {
     const double t = std::sqrt(std::min(std::abs(value) / most, 1.0));
     return value < 0.0 ? -t : t;
   }
-  return most > least ? (value - least) / (most - least) : 0.0;
+  const double t = most > least ? (value - least) / (most - least) : 0.0;
+  return square_root ? std::sqrt(std::max(t, 0.0)) : t;
 }
 
 double ViewScale::value_at(double t) const {
@@ -21,7 +22,7 @@ double ViewScale::value_at(double t) const {
     const double place = 2.0 * t - 1.0;
     return place * std::abs(place) * most;
   }
-  return least + t * (most - least);
+  return least + (square_root ? t * t : t) * (most - least);
 }
 
 ViewScale scale_of(const ViewValues& values) {
@@ -31,8 +32,8 @@ ViewScale scale_of(const ViewValues& values) {
       scale.is_signed = true;
       scale.most = kMachBandLimit;
       scale.least = -kMachBandLimit;
-      scale.least_word = "light band " + number(scale.least);
-      scale.most_word = "+" + number(scale.most) + " dark band";
+      scale.least_word = "light " + number(scale.least);
+      scale.most_word = "+" + number(scale.most) + " dark";
       return scale;
     case StructureView::depth:
       scale.least = values.least;
@@ -47,6 +48,8 @@ ViewScale scale_of(const ViewValues& values) {
   scale.most = std::max(values.most, 1.0);
   scale.least_word = number(scale.least);
   scale.most_word = number(scale.most);
+  // A pole where many vertices meet would leave all others dark.
+  scale.square_root = values.view == StructureView::illuminations;
   return scale;
 }
 

@@ -14,7 +14,8 @@ inline constexpr double kMachBandLimit = 16.0;
 /// Of views with numbers in order.
 struct ViewScale {
   double least = 0.0, most = 1.0;
-  bool is_signed = false;  ///< From −most to most, square roots being even.
+  bool is_signed = false;    ///< From −most to most, by square roots.
+  bool square_root = false;  ///< From least to most, by square roots.
   std::string least_word, most_word;
 
   /// Place in [0, 1], or in [−1, 1] of signed scales.
