@@ -11,6 +11,7 @@
 #include "viewer/barrido/diff_options.h"
 #include "viewer/barrido/help.h"
 #include "viewer/barrido/standard_streams.h"
+#include "viewer/compare/bless.h"
 #include "viewer/compare/figures_text.h"
 #include "viewer/compare/html_report.h"
 #include "viewer/compare/json_report.h"
@@ -28,9 +29,11 @@ class DiffCall {
   DiffCall(const DiffOptions& options, Console& console) : options_(options), console_(console) {}
 
   int run() {
-    const std::vector<compare::Pair> pairs = compare::find_pairs(options_.expected, options_.actual);
-    const bool folders = std::filesystem::is_directory(options_.expected);
-    if (folders && !options_.output.empty()) {
+    const std::vector<compare::Pair> pairs = compare::find_pairs(
+        options_.expected, options_.actual,
+        options_.bless ? compare::MissingExpected::is_empty : compare::MissingExpected::is_an_error);
+    folders_ = std::filesystem::is_directory(options_.actual);
+    if (folders_ && !options_.output.empty()) {
       throw UsageError("--output: only for two pictures; of folders, --html shows the differences");
     }
     if (!options_.html.empty()) html_.emplace(options_.html);
@@ -41,9 +44,9 @@ class DiffCall {
       add(compare::compare_pair(pair, options_.settings));
     }
     console_.end_progress();
-    if (folders) print(compare::totals_text(compare::totals_of(run_)) + "\n");
+    if (folders_) print(compare::totals_text(compare::totals_of(run_)) + "\n");
     write_reports();
-    return status();
+    return options_.bless ? bless() : status();
   }
 
  private:
@@ -51,11 +54,11 @@ class DiffCall {
     const Result& result = compared.result;
     if (result.outcome == Outcome::error) {
       console_.error(result.note);
-    } else if (std::filesystem::is_directory(options_.expected)) {
-      if (result.outcome != Outcome::same) print(result.pair.name + ": " + compare::headline(result) + "\n");
+    } else if (folders_) {
+      if (result.outcome != Outcome::same) print_line(result.pair.name + ": " + compare::headline(result));
     } else {
       print_pair(result);
-      if (!options_.output.empty()) write_difference(compared);
+      if (!options_.output.empty() && result.figures) write_difference(compared);
     }
     if (html_) html_->add(compared);
     run_.results.push_back(result);
@@ -66,8 +69,8 @@ class DiffCall {
     std::string text = "Comparing \"" + options_.expected + "\" and \"" + options_.actual + "\"\n";
     const bool equal = result.figures && result.figures->max == 0.0;
     if (!equal || !result.note.empty()) text += compare::figures_text(result, options_.settings.thresholds);
-    const bool failed = result.outcome == Outcome::different;
-    text += failed ? "FAILURE\n" : result.outcome == Outcome::warning ? "WARNING\n" : "PASS\n";
+    const bool same = result.outcome == Outcome::same;
+    text += same ? "PASS\n" : result.outcome == Outcome::warning ? "WARNING\n" : "FAILURE\n";
     print(text);
   }
 
@@ -90,12 +93,28 @@ class DiffCall {
     }
   }
 
+  /// Afterwards, only what could not be copied, or is missing, still differs.
+  int bless() {
+    const compare::Blessed blessed = compare::bless(run_);
+    for (const auto& path : blessed.replaced) print_line("blessed " + path.string() + ": replaced");
+    for (const auto& path : blessed.added) print_line("blessed " + path.string() + ": new");
+    for (const auto& path : blessed.kept) print_line("kept " + path.string() + ": has no counterpart");
+    if (blessed.replaced.empty() && blessed.added.empty()) print("nothing to bless\n");
+    for (const Result& result : run_.results) {
+      if (result.outcome == Outcome::error && !result.actual) return kExitError;
+    }
+    return blessed.kept.empty() ? kExitFine : kExitDifferent;
+  }
+
   /// What people read gives way to a report on standard output.
   void print(const std::string& text) {
     if (options_.quiet) return;
     const bool report_on_output = options_.json == "-" || options_.junit == "-";
     console_.print(report_on_output ? kStandardError : kStandardOutput, text);
   }
+
+  /// Names may hold line feeds.
+  void print_line(const std::string& line) { print(on_one_line(line) + "\n"); }
 
   int status() const {
     const compare::Totals totals = compare::totals_of(run_);
@@ -106,6 +125,7 @@ class DiffCall {
   const DiffOptions& options_;
   Console& console_;
   compare::Run run_;
+  bool folders_ = false;
   std::optional<compare::HtmlReport> html_;
 };
 

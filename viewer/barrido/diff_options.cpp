@@ -66,6 +66,10 @@ constexpr DiffOption kTable[] = {
      [](Options& o, Text text) { o.json = text; }},
     {{"Output", "--quiet", "-q", kFlag, "", "Print nothing but errors."},
      [](Options& o, Text) { o.quiet = true; }},
+    {{"Execution", "--bless", "", kFlag, "",
+      "Make what differs or is new the expected picture: copy it from B over A's, file by file, and tell "
+      "which. Nothing is deleted; what is within the thresholds stays as it is. A need not exist."},
+     [](Options& o, Text) { o.bless = true; }},
     {{"Execution", "--no-flip", "", kFlag, "", "Leave out FLIP, which takes most of the time."},
      [](Options& o, Text) { o.settings.flip = false; }},
     {{"Execution", "--help", "-h", kFlag, "", "This text."}, [](Options& o, Text) { o.help = true; }},
@@ -115,6 +119,10 @@ void check(const DiffOptions& options, std::size_t files) {
   if (options.html == "-") throw UsageError("--html: '-': expected a folder");
   if (options.junit == "-" && options.json == "-") {
     throw UsageError("--junit: '-': standard output cannot hold JSON as well");
+  }
+  const bool scaled = options.difference.absolute || options.difference.scale != 1.0f;
+  if (scaled && options.output.empty()) {
+    throw UsageError(std::string(options.difference.absolute ? "--abs" : "--scale") + ": only with --output");
   }
   const bool flip_wanted = options.settings.thresholds.fail_flip <= 1.0;
   if (flip_wanted && !options.settings.flip)

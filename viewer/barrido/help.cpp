@@ -96,6 +96,7 @@ Examples:
   barrido diff expected.png actual.png
   barrido diff golden out --html report --junit report.xml
   barrido diff a.png b.png --fail 0.004 --failpercent 1 --hardfail 0.1
+  barrido diff golden out --bless
   barrido diff a.exr b.exr --failflip 0.01 -o difference.exr
 )";
 

@@ -61,6 +61,20 @@ void compare_pictures(ComparedPair& pair, const Settings& settings) {
   if (result.flip && result.flip->mean > settings.thresholds.fail_flip) result.outcome = Outcome::different;
 }
 
+/// @return false when there is a file that cannot be read; the reason is added to `note`.
+bool load(const std::filesystem::path& path, StoredPicture& picture, std::optional<PictureFacts>& facts,
+          std::string& note) {
+  if (path.empty()) return true;
+  try {
+    picture = scene::read_stored_picture(path);
+    facts = facts_of(picture);
+    return true;
+  } catch (const scene::InputError& error) {
+    add_sentence(note, error.what());
+    return false;
+  }
+}
+
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
@@ -73,19 +87,9 @@ ComparedPair compare_pair(const Pair& pair, const Settings& settings) {
   ComparedPair compared;
   Result& result = compared.result;
   result.pair = pair;
-  try {
-    if (!pair.expected.empty()) {
-      compared.expected = scene::read_stored_picture(pair.expected);
-      result.expected = facts_of(compared.expected);
-    }
-    if (!pair.actual.empty()) {
-      compared.actual = scene::read_stored_picture(pair.actual);
-      result.actual = facts_of(compared.actual);
-    }
-  } catch (const scene::InputError& error) {
-    result.note = error.what();
-    return compared;
-  }
+  const bool expected_read = load(pair.expected, compared.expected, result.expected, result.note);
+  const bool actual_read = load(pair.actual, compared.actual, result.actual, result.note);
+  if (!expected_read || !actual_read) return compared;
   if (result.expected && result.actual) {
     compare_pictures(compared, settings);
   } else {

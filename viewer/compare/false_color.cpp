@@ -13,7 +13,7 @@ struct Station {
   double chroma, hue_deg;
 };
 constexpr std::array<Station, 9> kStations{
-    {{0, 300}, {32, 302}, {55, 312}, {64, 328}, {66, 350}, {66, 20}, {62, 48}, {50, 74}, {28, 100}}};
+    {{0, 300}, {32, 302}, {55, 312}, {64, 328}, {66, 350}, {63, 20}, {51, 52}, {46, 82}, {30, 106}}};
 constexpr double kMostLightness = 98.0;
 constexpr int kSteps = 256;
 

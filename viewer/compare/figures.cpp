@@ -17,7 +17,7 @@ struct Row {
   double sum = 0.0, sum_of_squares = 0.0, max = 0.0;
   float peak = 1.0f;
   WorstPixel worst;
-  std::uint64_t over_fail = 0, over_warn = 0;
+  std::uint64_t over_fail = 0, over_warn = 0, over_zero = 0;
 };
 
 bool has_color(const StoredPicture& picture) { return picture.channels >= 3; }
@@ -68,6 +68,7 @@ void add_pixel(Row& row, const float* expected, const float* actual, std::span<c
   }
   row.over_fail += largest > thresholds.fail ? 1 : 0;
   row.over_warn += largest > thresholds.warn ? 1 : 0;
+  row.over_zero += largest > 0.0 ? 1 : 0;
 }
 
 }  // namespace
@@ -96,6 +97,7 @@ Figures measure(const StoredPicture& expected, const StoredPicture& actual, cons
     figures.peak = std::max(figures.peak, static_cast<double>(row.peak));
     figures.over_fail += row.over_fail;
     figures.over_warn += row.over_warn;
+    figures.over_zero += row.over_zero;
     if (row.max > figures.max) {
       figures.max = row.max;
       figures.worst = row.worst;

@@ -41,7 +41,8 @@ struct Figures {
   double max = 0.0;   ///< Infinite where a NaN or an infinity meets something else.
   WorstPixel worst;   ///< The first of several, row by row; its place means nothing while max is 0.
   std::uint64_t pixels = 0;
-  std::uint64_t over_fail = 0, over_warn = 0;  ///< Pixels with a difference over the threshold.
+  std::uint64_t over_fail = 0, over_warn = 0;  ///< Pixels with a difference over the threshold,
+  std::uint64_t over_zero = 0;                 ///< and with any.
 
   /// Peak signal-to-noise ratio in decibels, 20·log10(peak/rms); infinite for equal pictures.
   double psnr() const;

@@ -49,22 +49,28 @@ fs::file_status status_of(const fs::path& path) {
 
 }  // namespace
 
-std::vector<Pair> find_pairs(const fs::path& expected, const fs::path& actual) {
-  const bool expected_is_folder = fs::is_directory(status_of(expected));
+std::vector<Pair> find_pairs(const fs::path& expected, const fs::path& actual, MissingExpected missing) {
+  std::error_code ignored;
+  const bool nothing_yet =
+      missing == MissingExpected::is_empty && !fs::exists(fs::symlink_status(expected, ignored));
   const bool actual_is_folder = fs::is_directory(status_of(actual));
+  const bool expected_is_folder = nothing_yet ? actual_is_folder : fs::is_directory(status_of(expected));
   if (expected_is_folder != actual_is_folder) {
     const fs::path& folder = expected_is_folder ? expected : actual;
     const fs::path& file = expected_is_folder ? actual : expected;
     throw scene::InputError(folder.string(), "",
                             "is a folder and cannot be compared with the file " + file.string());
   }
-  if (!expected_is_folder) return {{actual.filename().string(), expected, actual}};
+  if (!expected_is_folder) {
+    return {{actual.filename().string(), nothing_yet ? fs::path() : expected, actual, expected}};
+  }
 
   std::map<std::string, Pair> pairs;
   const auto name_in = [](const fs::path& path, const fs::path& folder) {
     return path.lexically_relative(folder).generic_string();
   };
-  walk(expected, [&](const fs::path& path) { pairs[name_in(path, expected)].expected = path; });
+  if (!nothing_yet)
+    walk(expected, [&](const fs::path& path) { pairs[name_in(path, expected)].expected = path; });
   walk(actual, [&](const fs::path& path) { pairs[name_in(path, actual)].actual = path; });
   if (pairs.empty()) {
     throw scene::InputError(expected.string(), "", "holds no pictures, and neither does " + actual.string());
@@ -72,6 +78,7 @@ std::vector<Pair> find_pairs(const fs::path& expected, const fs::path& actual) {
   std::vector<Pair> sorted;
   for (auto& [name, pair] : pairs) {
     pair.name = name;
+    pair.target = expected / fs::path(name);
     sorted.push_back(std::move(pair));
   }
   return sorted;

@@ -1,5 +1,6 @@
 #include "viewer/compare/html_page.h"
 
+#include "viewer/compare/false_color.h"
 #include "viewer/compare/figures_text.h"
 #include "viewer/compare/html_assets.h"
 #include "viewer/compare/junit_report.h"
@@ -72,9 +73,19 @@ std::string table(const Run& run) {
   return html + "</tbody></table></div>\n";
 }
 
+/// The colours of FLIP's map from 0 to 1, for the legend.
+std::string flip_scale() {
+  std::string css = ":root { --flip-scale: linear-gradient(to right";
+  for (int i = 0; i <= 16; ++i) {
+    const auto color = false_color(static_cast<float>(i) / 16.0f);
+    css += ", rgb(" + std::to_string(color[0]) + " " + std::to_string(color[1]) + " " +
+           std::to_string(color[2]) + ")";
+  }
+  return css + "); }\n";
+}
+
 /// Nothing is fetched, whatever a name holds.
-constexpr const char* kPolicy =
-    "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+constexpr const char* kPolicy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 }  // namespace
 
@@ -86,7 +97,7 @@ std::string page_before_pictures(const Run& run) {
          "<meta name=\"viewport\" content=\"width=device-width\">\n<meta "
          "http-equiv=\"Content-Security-Policy\" content=\"" +
          std::string(kPolicy) + "\">\n<title>" + title_of(totals) + " – barrido diff</title>\n<style>\n" +
-         std::string(kReportCss) + "</style>\n</head>\n<body>\n" + header(run, totals) +
+         std::string(kReportCss) + flip_scale() + "</style>\n</head>\n<body>\n" + header(run, totals) +
          "<div class=\"columns\">\n<nav class=\"list\" aria-label=\"Pairs, worst first\">\n" +
          filters(totals) + table(run) + "</nav>\n" + std::string(kViewerHtml) +
          "</div>\n<noscript>The pictures need JavaScript.</noscript>\n";

@@ -18,10 +18,7 @@ namespace fs = std::filesystem;
 fs::path made(fs::path folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) {
-    const std::string reason = error ? error.message() : "is not a folder";
-    throw scene::InputError(folder.string(), "", "cannot be made: " + reason);
-  }
+  if (error) throw scene::InputError(folder.string(), "", "cannot be made: " + error.message());
   return folder;
 }
 

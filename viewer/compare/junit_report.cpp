@@ -50,6 +50,9 @@ std::string escape_xml(std::string_view text) {
       case '"':
         escaped += "&quot;";
         break;
+      case '\'':
+        escaped += "&#39;";
+        break;
       case '\n':
         escaped += "&#10;";
         break;

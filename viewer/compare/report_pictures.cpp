@@ -47,10 +47,14 @@ Png as_shown(const StoredPicture& picture, double exposure) {
   return encode(picture.width, picture.height, bytes);
 }
 
-/// The greatest difference becomes nearly white; powers of two are easy to reckon with.
-int amplification_for(double max) {
+/// What differs shall be seen: its root mean square becomes at most a half. Powers of two are easy to reckon
+/// with.
+int amplification_for(const Figures& figures) {
+  const auto part = static_cast<double>(std::max<std::uint64_t>(figures.over_zero, 1)) /
+                    static_cast<double>(figures.pixels);
+  const double rms = figures.rms / std::sqrt(part);
   int factor = 1;
-  while (factor < 256 && max * factor * 2 <= 1.0) factor *= 2;
+  while (factor < 256 && rms * factor * 2 <= 0.5) factor *= 2;
   return factor;
 }
 
@@ -85,7 +89,7 @@ ReportPictures report_pictures(const ComparedPair& pair) {
   if (equal || result.outcome == Outcome::error) return pictures;
   pictures.exposure = exposure_of(pair);
   const bool both = result.figures.has_value();
-  if (both) pictures.amplification = amplification_for(result.figures->max);
+  if (both) pictures.amplification = amplification_for(*result.figures);
   tbb::parallel_invoke([&] { pictures.expected = as_shown(pair.expected, pictures.exposure); },
                        [&] { pictures.actual = as_shown(pair.actual, pictures.exposure); },
                        [&] {

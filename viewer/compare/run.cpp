@@ -10,8 +10,10 @@ namespace {
 constexpr Outcome kWorstFirst[] = {Outcome::error, Outcome::different, Outcome::missing,
                                    Outcome::added, Outcome::warning,   Outcome::same};
 
-/// Greater is worse.
+/// Greater is worse. Another size is worse than any figure over what both cover.
 double badness(const Result& result) {
+  const auto &a = result.expected, &b = result.actual;
+  if (a && b && (a->width != b->width || a->height != b->height)) return kUnlimited;
   if (result.flip) return result.flip->mean;
   return result.figures ? result.figures->rms : 0.0;
 }

@@ -1,5 +1,6 @@
 #include "viewer/compare/viewer_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -44,10 +45,19 @@ Json figures_list(const Result& result) {
   return list;
 }
 
+/// Whether all values are those of bytes, which the viewer shows anyway.
+bool are_bytes(const std::array<float, 4>& values) {
+  return std::all_of(values.begin(), values.end(), [](float value) {
+    const float byte = value * 255.0f;
+    return value >= 0.0f && value <= 1.0f && std::fabs(byte - std::round(byte)) < 1e-3f;
+  });
+}
+
 Json worst_json(const Figures& figures) {
   const WorstPixel& worst = figures.worst;
   return {{"x", worst.x},
           {"y", worst.y},
+          {"exact", !are_bytes(worst.expected) || !are_bytes(worst.actual)},
           {"expected", values_text(worst.expected, figures.channels)},
           {"actual", values_text(worst.actual, figures.channels)}};
 }

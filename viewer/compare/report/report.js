@@ -6,12 +6,12 @@
   const one = (selector) => document.querySelector(selector);
   const all = (selector) => [...document.querySelectorAll(selector)];
   const kKinds = ["expected", "actual", "difference", "flip"];
-  const kLensWidth = 19, kLensHeight = 13;  // Pixels around the one looked at; odd, so that it is in the middle.
+  const kLensPixels = 11;  // A side, around the one looked at; odd, so that it is in the middle.
   const rows = all("tr[data-pair]");
   const stage = one(".stage"), scroller = one(".scroller"), gallery = one(".gallery"), handle = one(".handle");
 
   let pair = null;      // The one shown.
-  let pictures = {};    // Of the pair, by kind: {url, bitmap, pixels}.
+  let pictures = {};    // Of the pair, by kind: bitmaps.
   let mode = "all";
   let zoom = 0;         // Screen pixels for one of the picture; 0 fits.
   let split = 0.5;
@@ -28,20 +28,31 @@
     return bytes;
   }
 
-  function release() {
-    for (const kind of Object.keys(pictures)) URL.revokeObjectURL(pictures[kind].url);
-    pictures = {};
-  }
-
   async function decode(chosen) {
     const decoded = {};
     for (const kind of kKinds) {
       if (!chosen.pictures[kind]) continue;
-      const blob = new Blob([bytesOf(chosen.pictures[kind])], {type: "image/png"});
-      const bitmap = await createImageBitmap(blob);
-      decoded[kind] = {url: URL.createObjectURL(blob), bitmap, width: bitmap.width, height: bitmap.height};
+      decoded[kind] = await createImageBitmap(new Blob([bytesOf(chosen.pictures[kind])], {type: "image/png"}));
     }
     return decoded;
+  }
+
+  function release() {
+    Object.values(pictures).forEach((picture) => picture.close());
+    pictures = {};
+  }
+
+  /// A picture as an element: at its own size, to be scaled by style.
+  function canvasOf(kind) {
+    const canvas = document.createElement("canvas");
+    canvas.width = pictures[kind].width;
+    canvas.height = pictures[kind].height;
+    canvas.getContext("2d").drawImage(pictures[kind], 0, 0);
+    canvas.className = "layer backed";
+    canvas.dataset.kind = kind;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${captions()[kind]}: ${pair.name}`);
+    return canvas;
   }
 
   function pixelOf(kind, x, y) {
@@ -50,7 +61,7 @@
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = 1;
     const context = canvas.getContext("2d", {willReadFrequently: true});
-    context.drawImage(picture.bitmap, -x, -y);
+    context.drawImage(picture, -x, -y);
     return [...context.getImageData(0, 0, 1, 1).data];
   }
 
@@ -99,7 +110,7 @@
       figures.append(Object.assign(document.createElement("dt"), {textContent: term}),
                      Object.assign(document.createElement("dd"), {textContent: value}));
     }
-    buildGallery();
+    buildPictures();
     const button = one(`button[data-mode="${mode}"]`);
     setMode(button && !button.hidden ? mode : "all");
   }
@@ -114,30 +125,26 @@
     flip: "FLIP: what a person sees of it",
   });
 
-  function buildGallery() {
+  /// The elements of all pictures: in the gallery each in its frame, on the stage on each other.
+  function buildPictures() {
     gallery.replaceChildren();
+    all(".stage canvas").forEach((canvas) => canvas.remove());
     const whole = size();
-    for (const kind of kKinds) {
-      const picture = pictures[kind];
-      if (!picture) continue;
+    for (const kind of kKinds.filter((k) => pictures[k])) {
       const figure = document.createElement("figure");
-      const frame = document.createElement("div");
-      const image = document.createElement("img");
-      frame.className = "frame";
-      frame.style.aspectRatio = `${whole.width} / ${whole.height}`;
-      image.className = "layer";
-      image.src = picture.url;
-      image.alt = `${captions()[kind]} of ${pair.name}`;
-      image.style.width = `${100 * picture.width / whole.width}%`;
-      image.style.height = `${100 * picture.height / whole.height}%`;
-      const marker = Object.assign(document.createElement("div"), {className: "marker"});
-      frame.append(image, marker);
-      const caption = document.createElement("figcaption");
-      caption.textContent = captions()[kind];
+      const frame = Object.assign(document.createElement("div"), {className: "frame"});
+      const caption = Object.assign(document.createElement("figcaption"), {textContent: captions()[kind]});
+      const canvas = canvasOf(kind);
+      canvas.style.width = `${100 * canvas.width / whole.width}%`;
+      canvas.style.height = `${100 * canvas.height / whole.height}%`;
+      if (kind === "flip") caption.append(Object.assign(document.createElement("span"), {className: "scale"}));
+      frame.append(canvas, Object.assign(document.createElement("div"), {className: "marker"}));
+      frame.addEventListener("pointermove", (event) => pointAt(event, frame));
       figure.append(caption, frame);
       gallery.append(figure);
-      frame.addEventListener("pointermove", (event) => pointAt(event, frame));
+      stage.prepend(canvasOf(kind));  // Expected comes to lie on actual.
     }
+    stage.prepend(...["actual", "expected"].flatMap((k) => all(`.stage canvas[data-kind="${k}"]`)));
   }
 
   // ---- how it is shown
@@ -158,47 +165,57 @@
     return mode === "blink" ? [side] : [mode];
   }
 
+  /// Whole pixels where there is room for them.
+  const snapped = (factor) => factor >= 1 ? Math.floor(factor) : factor;
+
   function scale() {
     if (zoom > 0) return zoom;
     const whole = size();
-    const room = Math.min((scroller.clientWidth - 32) / whole.width, (scroller.clientHeight - 32) / whole.height);
-    return room >= 1 ? Math.floor(room) : room;
+    return snapped(Math.min((scroller.clientWidth - 32) / whole.width, (scroller.clientHeight - 32) / whole.height));
   }
 
-  /// Lays out the stage: layers, handle, labels, marker.
+  /// As many columns as make the pictures largest.
+  function layGallery() {
+    const whole = size(), count = gallery.children.length, gap = 14, captionHeight = 24;
+    const width = scroller.clientWidth - 32, height = scroller.clientHeight - 32;
+    let best = 0, columns = 1;
+    for (let tried = 1; tried <= count; ++tried) {
+      const lines = Math.ceil(count / tried);
+      const factor = Math.min((width - gap * (tried - 1)) / tried / whole.width,
+                              ((height - gap * (lines - 1)) / lines - captionHeight) / whole.height);
+      if (factor > best) [best, columns] = [factor, tried];
+    }
+    best = snapped(Math.max(best, 120 / whole.width));
+    gallery.classList.toggle("shrunk", best < 1);
+    gallery.style.gridTemplateColumns = `repeat(${columns}, ${whole.width * best}px)`;
+    all(".frame").forEach((frame) => { frame.style.height = `${whole.height * best}px`; });
+  }
+
+  /// Lays out what is shown: layers, handle, labels, marker.
   function draw() {
+    if (mode === "all") layGallery();
     const whole = size(), factor = scale();
     stage.style.width = `${whole.width * factor}px`;
     stage.style.height = `${whole.height * factor}px`;
+    stage.classList.toggle("shrunk", factor < 1);
     one("#zoom").textContent = `${Math.round(factor * 100)} %`;
-    if (mode !== "all") drawLayers(factor);
+    all(".stage canvas").forEach((canvas) => layLayer(canvas, factor));
     handle.hidden = mode !== "slider";
     handle.style.left = `${split * 100}%`;
     handle.setAttribute("aria-valuenow", Math.round(split * 100));
-    const left = one(".tag.left"), right = one(".tag.right");
-    left.textContent = mode === "slider" ? "expected" : captions()[visibleKinds()[0]];
-    right.hidden = mode !== "slider";
+    one(".stage > .tags").hidden = mode === "slider";
+    one("#shown").textContent = captions()[visibleKinds()[0]];
     drawMarkers();
     drawLens();
   }
 
-  function drawLayers(factor) {
-    const wanted = visibleKinds().filter((kind) => pictures[kind]);
-    const layers = wanted.map((kind) => {
-      const image = stage.querySelector(`img[data-kind="${kind}"]`) || document.createElement("img");
-      const picture = pictures[kind];
-      if (image.src !== picture.url) image.src = picture.url;
-      image.className = "layer backed";
-      image.dataset.kind = kind;
-      image.alt = `${kind} of ${pair.name}`;
-      image.style.width = `${picture.width * factor}px`;
-      image.style.height = `${picture.height * factor}px`;
-      const hidden = size().width * factor * (1 - split) - (size().width - picture.width) * factor;
-      image.style.clipPath = mode === "slider" && kind === "expected" ? `inset(0 ${Math.max(0, hidden)}px 0 0)` : "";
-      return image;
-    });
-    stage.querySelectorAll("img").forEach((image) => layers.includes(image) || image.remove());
-    stage.prepend(...layers);
+  function layLayer(canvas, factor) {
+    const kind = canvas.dataset.kind;
+    canvas.hidden = !visibleKinds().includes(kind);
+    canvas.style.width = `${canvas.width * factor}px`;
+    canvas.style.height = `${canvas.height * factor}px`;
+    const hidden = (canvas.width - size().width * split) * factor;
+    canvas.style.clipPath = mode === "slider" && kind === "expected" ? `inset(0 ${Math.max(0, hidden)}px 0 0)` : "";
   }
 
   function setSplit(value) {
@@ -263,15 +280,13 @@
       figure.hidden = !picture;
       if (!picture) continue;
       figure.querySelector("figcaption").textContent = captions()[kind].split(":")[0];
-      const canvas = figure.querySelector("canvas"), pixel = 11;
-      canvas.width = kLensWidth * pixel;
-      canvas.height = kLensHeight * pixel;
+      const canvas = figure.querySelector("canvas"), pixel = 10, reach = (kLensPixels - 1) / 2;
+      canvas.width = canvas.height = kLensPixels * pixel;
       const context = canvas.getContext("2d");
       context.imageSmoothingEnabled = false;
-      const left = spot.x - (kLensWidth - 1) / 2, top = spot.y - (kLensHeight - 1) / 2;
-      context.drawImage(picture.bitmap, left, top, kLensWidth, kLensHeight, 0, 0, canvas.width, canvas.height);
+      context.drawImage(picture, spot.x - reach, spot.y - reach, kLensPixels, kLensPixels, 0, 0, canvas.width, canvas.height);
       context.lineWidth = 1;
-      const x = (kLensWidth - 1) / 2 * pixel, y = (kLensHeight - 1) / 2 * pixel;
+      const x = reach * pixel, y = reach * pixel;
       context.strokeStyle = "#000";
       context.strokeRect(x - 1.5, y - 1.5, pixel + 3, pixel + 3);
       context.strokeStyle = "#fff";
@@ -283,14 +298,14 @@
   function drawValues() {
     const worst = pair.worst && pair.worst.x === spot.x && pair.worst.y === spot.y;
     const shown = (kind) => pixelOf(kind, spot.x, spot.y);
-    const exact = worst ? {expected: pair.worst.expected, actual: pair.worst.actual} : null;
+    const exact = worst && pair.worst.exact ? pair.worst : null;
     one("#which").textContent = worst ? "the greatest difference" : "";
     for (const kind of ["expected", "actual"]) {
       const cells = one(`.values tr[data-kind="${kind}"]`).querySelectorAll("td");
       const bytes = shown(kind);
       cells.forEach((cell, c) => { cell.textContent = bytes ? bytes[c] : "–"; });
     }
-    one("#exact").textContent = exact ? `stored: ${exact.expected} against ${exact.actual}` : "bytes as shown, 0–255";
+    one("#exact").textContent = exact ? `${exact.expected}\nagainst\n${exact.actual}` : "";
   }
 
   function moveTo(x, y) {
@@ -309,9 +324,9 @@
   function goToWorst() {
     if (!pair || !pair.worst) return;
     moveTo(pair.worst.x, pair.worst.y);
+    split = (spot.x + 0.5) / size().width;
     if (mode !== "all") {
-      if (scale() < 8) setZoom(8);
-      showSpot();
+      setZoom(Math.max(8, scale()));
     }
   }
 
