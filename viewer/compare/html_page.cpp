@@ -65,7 +65,8 @@ std::string row(const Result& result, std::size_t place) {
 
 std::string table(const Run& run) {
   std::string html =
-      "<div class=\"rows\"><table>\n<thead><tr><th>picture</th><th title=\"mean of FLIP, 0 to 1\">FLIP</th>"
+      "<div class=\"rows\"><table role=\"grid\">\n<thead><tr><th>picture</th><th title=\"mean of FLIP, 0 to "
+      "1\">FLIP</th>"
       "<th title=\"greatest difference of a value\">max</th>"
       "<th title=\"pixels over the threshold\">pixels</th></tr></thead>\n<tbody>\n";
   std::size_t place = 0;

@@ -401,7 +401,7 @@
     filter();
   }));
 
-  const asked = decodeURIComponent(location.hash.slice(1));
-  const first = Math.max(0, pairs.findIndex((candidate) => candidate.name === asked));
+  // A link to a pair ends in "#" and its name.
+  const first = Math.max(0, pairs.findIndex(({name}) => "#" + encodeURIComponent(name) === location.hash || "#" + name === location.hash));
   choose(first);
 })();
