@@ -112,7 +112,8 @@ void draw_axes(int top, Strip& strip) {
                                                {"towards the eye", {128, 128, 255}}};
   int left = kMargin * s;
   for (const auto& [name, color] : axes) {
-    strip.fill(left, top + 2 * s, left + 24 * s, top + (kRow - 2) * s, [&](int) { return color; });
+    strip.fill(left, top + 2 * s, left + 24 * s, top + (kRow - 2) * s,
+               [shown = color](int) { return shown; });
     left = strip.text(left + 28 * s, top, name, kBright) + 10 * s;
   }
 }

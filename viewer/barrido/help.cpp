@@ -56,10 +56,10 @@ Examples:
 constexpr const char* kInspectUsage =
     R"(Usage: barrido inspect FILE --pixel X,Y [OPTIONS]
 
-Tells why a pixel of the frame that `barrido render FILE` draws with the same options has its colour:
-every triangle that covers it and which of them is seen, the illumination formula with its numbers,
-texels and their weights, fog, blending, and the steps to 8 bits. What it adds up is the pixel, bit for
-bit.
+Tells why a pixel of the frame that `barrido render FILE` draws with the same options has its
+colour: every triangle that covers it and which of them is seen, the illumination formula with its
+numbers, texels and their weights, fog, blending, and the steps to 8 bits. What it adds up is the
+pixel, bit for bit.
 )";
 
 constexpr const char* kInspectNotes = R"(

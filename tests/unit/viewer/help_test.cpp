@@ -10,7 +10,7 @@ namespace barrido::cli {
 namespace {
 
 TEST(Help, LinesFitIntoAHundredColumns) {
-  for (const std::string& text : {general_help(), render_help(), info_help(), diff_help()}) {
+  for (const std::string& text : {general_help(), render_help(), inspect_help(), info_help(), diff_help()}) {
     for (const std::string_view line : split(text, '\n')) {
       EXPECT_LE(line.size(), 99u) << line;
       EXPECT_TRUE(line.empty() || line.back() != ' ') << line;

@@ -24,6 +24,7 @@ TEST(Program, HelpAndVersionGoToStandardOutput) {
       {{"-V"}, cli::version_text()},
       {{"render", "--help"}, cli::render_help()},
       {{"info", "-h"}, cli::info_help()},
+      {{"inspect", "--help"}, cli::inspect_help()},
       {{"diff", "-h"}, cli::diff_help()},
       {{"render", "x.glb", "--resolution", "0,0", "--help"}, cli::render_help()},
   };
