@@ -1,5 +1,5 @@
 # `cmake --install`: the programs, the libraries with their public headers, and a package for find_package(Barrido):
-#   Barrido::barrido   renderer and rasterizer; needs GLM, oneTBB and Highway
+#   Barrido::barrido   renderer and rasterizer; needs GLM and oneTBB
 #   Barrido::scene     glTF and pictures beside it; asked for with find_package(Barrido COMPONENTS scene)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

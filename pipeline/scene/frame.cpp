@@ -64,6 +64,15 @@ const raster::Texture& studio(raster::Encoding encoding, SceneCaches& caches) {
   return caches.studio.emplace(encoding, make_studio(encoding)).first->second;
 }
 
+/// Whether any pixel of the frame, or of the environments of its objects, shows the surroundings.
+bool needs_surroundings(const Frame& frame, const RenderSettings& settings) {
+  if (settings.background == Background::environment) return true;
+  for (const Draw& draw : frame.list.draws) {
+    if (draw.surface.reflection_unit != kNone) return true;
+  }
+  return false;
+}
+
 void choose_surroundings(Frame& frame, const SceneSettings* own, const RenderSettings& settings,
                          SceneCaches& caches) {
   const bool has_environment = settings.environment && settings.environment->is_cube();
@@ -71,7 +80,7 @@ void choose_surroundings(Frame& frame, const SceneSettings* own, const RenderSet
     frame.surroundings = settings.environment.get();
     const glm::mat3 upright_from_world(glm::transpose(world_from_upright(glm::dvec3(settings.camera.up))));
     frame.surroundings_from_world = glm::mat4(upright_from_world);
-  } else {
+  } else if (needs_surroundings(frame, settings)) {
     frame.surroundings = &studio(color_encoding(settings), caches);
     frame.surroundings_from_world = glm::mat4(glm::mat3(frame.view.eye_from_world));
   }

@@ -47,7 +47,8 @@ struct Frame {
   std::optional<raster::FogState> fog;
   glm::vec4 clear_color{0, 0, 0, 1};
   DrawList list;
-  /// What surfaces reflect: the user's environment, fixed to the world, or the studio, fixed to the eye.
+  /// What surfaces reflect: the user's environment, fixed to the world, or the studio, fixed to the eye. Null
+  /// where neither a surface nor the background shows them.
   const raster::Texture* surroundings = nullptr;
   glm::mat4 surroundings_from_world{1.0f};
   bool backdrop_in_view = false;       ///< The surroundings are the background of the frame.
