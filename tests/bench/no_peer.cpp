@@ -3,7 +3,7 @@
 
 namespace barrido::bench {
 
-std::unique_ptr<Drawer> make_peer_drawer(const crosscheck::ScenePair&) { return nullptr; }
+std::unique_ptr<Drawer> make_peer_drawer(const crosscheck::ScenePair&, PeerStates) { return nullptr; }
 void set_peer_threads(int) {}
 std::string peer_description() { return "none (built without OSMesa)"; }
 

@@ -21,9 +21,13 @@ class Drawer {
 /// The scene must outlive the drawer.
 std::unique_ptr<Drawer> make_barrido_drawer(const crosscheck::ScenePair& scene);
 
+/// How often the peer's state is set: once before all draws, which then differ in their arrays only (and in
+/// their programs), or for each.
+enum class PeerStates { one, of_each_draw };
+
 /// Null when this program was built without OSMesa. One at a time. OSMesa reads the number of its threads
 /// once, from set_peer_threads.
-std::unique_ptr<Drawer> make_peer_drawer(const crosscheck::ScenePair& scene);
+std::unique_ptr<Drawer> make_peer_drawer(const crosscheck::ScenePair& scene, PeerStates states);
 
 /// To be called before the first peer drawer is made. 1: everything on the calling thread; n: n threads
 /// rasterize beside the calling one.

@@ -14,17 +14,21 @@ using crosscheck::DrawCall;
 using crosscheck::Mesh;
 using crosscheck::ScenePair;
 
-/// Width and height of the frames, pixels, and how large a part of each workload's own numbers is used.
+/// Width and height of the frames, pixels.
 struct Scale {
   int width = 1920;
   int height = 1080;
 };
+
+/// What a workload's throughput is told in.
+enum class Unit { pixels, triangles };
 
 struct Workload {
   std::string id;     ///< "W1" …
   std::string title;  ///< What is drawn.
   double goal;        ///< How many times the peer's speed is aimed at.
   std::function<ScenePair(const Scale&)> build;
+  Unit unit = Unit::pixels;
 };
 
 /// All workloads in the order of their numbers. There is no W11.

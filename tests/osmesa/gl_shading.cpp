@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/osmesa/gl_state.h"
+#include "tests/osmesa/gl_texture_stages.h"
 
 namespace barrido::crosscheck {
 namespace {
@@ -54,6 +55,7 @@ void main() {
   normal = gl_NormalMatrix * gl_Normal;
   position = vec3(gl_ModelViewMatrix * gl_Vertex);
   color = gl_Color;
+  make_texture_coordinates(normalize(normal), position);
 }
 )";
 
@@ -78,7 +80,7 @@ void main() {
       secondary += f * power(highlight(n, l, v), m.shininess) * m.specular.rgb * gl_LightSource[i].specular.rgb;
     }
   }
-  gl_FragColor = clamp(vec4(primary + secondary, m.diffuse.a), 0.0, 1.0);
+  gl_FragColor = finish(vec4(primary, m.diffuse.a), secondary);
 }
 )";
 
@@ -109,6 +111,7 @@ void main() {
     ambient_front += f * front.ambient.rgb * gl_LightSource[i].ambient.rgb;
     ambient_back += f * back.ambient.rgb * gl_LightSource[i].ambient.rgb;
   }
+  make_texture_coordinates(n, p);
 }
 )";
 
@@ -118,14 +121,15 @@ void main() {
   bool back = TWO_SIDED && !gl_FrontFacing;
   gl_MaterialParameters m = tracked(material(back), color);
   vec3 c = m.emission.rgb + m.ambient.rgb * gl_LightModel.ambient.rgb + (back ? ambient_back : ambient_front);
+  vec3 secondary = vec3(0.0);
   for (int i = 0; i < LIGHTS; ++i) {
     vec2 at = back ? dots[i].zw : dots[i].xy;
     c += max(at.x, 0.0) * m.diffuse.rgb * gl_LightSource[i].diffuse.rgb;
     float s = at.y;
     if (!POWER_AT_VERTEX && m.shininess != 0.0) s = at.x > 0.0 ? power(at.y, m.shininess) : 0.0;
-    c += s * m.specular.rgb * gl_LightSource[i].specular.rgb;
+    secondary += s * m.specular.rgb * gl_LightSource[i].specular.rgb;
   }
-  gl_FragColor = clamp(vec4(c, m.diffuse.a), 0.0, 1.0);
+  gl_FragColor = finish(vec4(c, m.diffuse.a), secondary);
 }
 )";
 
@@ -174,13 +178,16 @@ GLuint begin_shading(const pipeline::State& state, bool has_vertex_colors) {
   if (!state.lighting.enabled || (!phong && state.shade_model != ShadeModel::cheap_phong)) return 0;
   const std::string head = definitions(state, has_vertex_colors);
   const GLuint program = glCreateProgram();
-  attach(program, GL_VERTEX_SHADER, head + (phong ? kPhongVertex : kCheapVertex));
-  attach(program, GL_FRAGMENT_SHADER, head + (phong ? kPhongFragment : kCheapFragment));
+  attach(program, GL_VERTEX_SHADER,
+         head + vertex_texture_stages(state) + (phong ? kPhongVertex : kCheapVertex));
+  attach(program, GL_FRAGMENT_SHADER,
+         head + fragment_texture_stages(state) + (phong ? kPhongFragment : kCheapFragment));
   glLinkProgram(program);
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked == 0) throw std::runtime_error("a reference program does not link");
   glUseProgram(program);
+  set_samplers(program, state);
   return program;
 }
 
