@@ -22,7 +22,7 @@ const raster::Framebuffer& rendered_frame() {
 }
 
 scene::ImageView view_of(const raster::Framebuffer& frame) {
-  const auto pixels = frame.color8();
+  const auto& pixels = frame.color8();
   return {frame.options().width,
           frame.options().height,
           {reinterpret_cast<const std::uint8_t*>(pixels.data()), pixels.size() * sizeof pixels[0]},
