@@ -202,7 +202,7 @@ TEST(StoryJson, AddsUp) {
 TEST(StoryJson, NamesThatAreNoUtf8AreReplaced) {
   PixelStory story;
   story.source = "\xff.glb";
-  EXPECT_NO_THROW(Json::parse(story_json(story)));
+  EXPECT_TRUE(Json::accept(story_json(story)));
 }
 
 }  // namespace
