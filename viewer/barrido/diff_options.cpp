@@ -86,6 +86,7 @@ constexpr auto kSyntax = [] {
 std::string with_two_dashes(const std::string& word) {
   if (word.size() < 3 || word[0] != '-' || word[1] == '-') return word;
   std::vector<std::string_view> names;
+  names.reserve(kSyntax.size());
   for (const OptionSyntax& option : kSyntax) names.push_back(option.name);
   const std::string longer = "-" + word;
   return nearest(longer.substr(0, longer.find('=')), names).empty() ? word : longer;
@@ -93,6 +94,7 @@ std::string with_two_dashes(const std::string& word) {
 
 std::vector<std::string> with_two_dashes(std::span<const std::string> words) {
   std::vector<std::string> normalized;
+  normalized.reserve(words.size());
   bool options_ended = false;
   for (const std::string& word : words) {
     options_ended = options_ended || word == "--";

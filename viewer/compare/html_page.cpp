@@ -35,13 +35,15 @@ std::string header(const Run& run, const Totals& totals) {
          thresholds_text(run.settings.thresholds) + "</p>\n</header>\n";
 }
 
+std::string filter_button(const std::string& name, std::size_t count) {
+  return "<button data-outcome=\"" + name + "\" aria-pressed=\"false\">" + std::to_string(count) + " " +
+         name + "</button>\n";
+}
+
 std::string filters(const Totals& totals) {
   std::string html = "<div class=\"filters\" role=\"group\" aria-label=\"Filter\">\n";
   for (const Outcome outcome : kWorstFirst) {
-    if (totals[outcome] == 0) continue;
-    const std::string name(name_of(outcome));
-    html += "<button data-outcome=\"" + name + "\" aria-pressed=\"false\">" +
-            std::to_string(totals[outcome]) + " " + name + "</button>\n";
+    if (totals[outcome] > 0) html += filter_button(std::string(name_of(outcome)), totals[outcome]);
   }
   return html +
          "<input id=\"search\" type=\"search\" placeholder=\"name\" aria-label=\"Filter by name\">\n</div>\n";
