@@ -43,7 +43,7 @@ void print_row(const Measurement& row) {
   std::printf("%-22s %-34s %9.2f %9.2f", row.id.c_str(), row.title.c_str(), row.barrido.median_ms,
               row.barrido.best_ms);
   if (row.millions > 0) {
-    std::printf(" %9.0f", row.throughput());
+    std::printf(" %9.*f", row.throughput() < 100 ? 1 : 0, row.throughput());
   } else {
     std::printf(" %9s", "");
   }
