@@ -98,6 +98,7 @@ SurfaceOptions surface_options(const RenderSettings& settings) {
   options.mag_filter = settings.mag_filter;
   options.reflections = settings.environment ? Reflections::all : Reflections::metals;
   options.specular_model = settings.lighting;
+  options.material = settings.material;
   // OpenGL's limits where OpenGL's results are asked for.
   if (!uses_float_frame(settings)) options.limits = {128.0f, true};
   return options;

@@ -85,6 +85,14 @@ glm::vec3 choose_ambient(const Scene& scene, int scene_index, const RenderSettin
   return glm::vec3(settings.no_lights ? kAmbientWithoutLights : kDefaultAmbient);
 }
 
+void switch_off(std::vector<pipeline::Light>& lights, const std::vector<int>& off) {
+  std::vector<pipeline::Light> on;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (std::find(off.begin(), off.end(), static_cast<int>(i)) == off.end()) on.push_back(lights[i]);
+  }
+  lights = std::move(on);
+}
+
 }  // namespace
 
 pipeline::Light convert_light(const Light& light, const LightPlace& place) {
@@ -152,6 +160,7 @@ SceneLights choose_lights(const Scene& scene, const std::vector<int>& nodes, int
                        std::to_string(raster::kMaxLights) + " are used");
     chosen.lights.resize(raster::kMaxLights);
   }
+  switch_off(chosen.lights, settings.lights_off);
   return chosen;
 }
 

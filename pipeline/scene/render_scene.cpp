@@ -12,6 +12,7 @@
 #include "pipeline/scene/environment_pass.h"
 #include "pipeline/scene/frame.h"
 #include "pipeline/scene/frame_observer.h"
+#include "pipeline/scene/overlay.h"
 #include "pipeline/scene/sorting.h"
 #include "raster/portable_math.h"
 
@@ -28,6 +29,7 @@ struct Pass {
   View view;
   double aspect = 1.0;
   bool backdrop = false;
+  Overlays overlays;
   int without_node = kNone;  ///< Whose surroundings are being rendered
   /// Cube maps of single nodes, in world space; the others reflect the frame's surroundings.
   const std::map<int, raster::Texture>* node_maps = nullptr;
@@ -76,6 +78,7 @@ class PassRenderer {
         renderer_(framebuffer, {settings.visibility_first, settings.profile},
                   pass.observer != nullptr ? &assembled_ : nullptr),
         base_(base_state(settings, pass.view, frame.lights, frame.fog)),
+        overlay_(settings, pass.view),
         surroundings_from_eye_(frame.surroundings_from_world * world_from_eye_rotation(pass.view)) {}
 
   pipeline::Statistics run() {
@@ -92,6 +95,10 @@ class PassRenderer {
       if (assembled_.draws.size() > draws) origins_.emplace_back().backdrop = true;
     }
     submit_blended();
+    const std::size_t own = assembled_.draws.size();
+    overlay_.draw(renderer_, base_, frame_, pass_.overlays);
+    // Lines over the picture are nothing of the file's.
+    origins_.resize(origins_.size() + assembled_.draws.size() - own);
     const bool drawn =
         pass_.observer == nullptr ||
         pass_.observer->observe({assembled_, origins_, pass_.view, frame_.lights, framebuffer_.options()});
@@ -156,6 +163,7 @@ class PassRenderer {
   std::vector<DrawOrigin> origins_;
   pipeline::Renderer renderer_;
   pipeline::State base_;
+  Overlay overlay_;
   glm::mat4 surroundings_from_eye_;
   std::vector<std::vector<std::uint32_t>> sorted_;  // index lists of this pass, until it is finished
 };
@@ -194,6 +202,7 @@ struct SceneRenderer::Implementation {
       const Pass pass{cube_face_view(face, center, frame.posed.bounds.sphere),
                       1.0,
                       frame.backdrop_in_reflection,
+                      {},
                       node,
                       nullptr,
                       nullptr};
@@ -232,7 +241,8 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
   std::map<int, raster::Texture> node_maps;
   if (settings.dynamic_environment) node_maps = self.environments(settings, frame, work);
   ReflectionMaps node_reflections;
-  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, kNone, &node_maps, observer};
+  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, settings.overlays, kNone,
+                  &node_maps, observer};
   add(work,
       PassRenderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer).run());
   if (statistics != nullptr) *statistics = work;

@@ -42,10 +42,26 @@ struct CameraChoice {
   std::optional<glm::vec3> position, focal_point;
   std::optional<float> view_angle_deg;
   glm::vec3 up{0, 1, 0};
+  std::optional<glm::vec3> view_up;  ///< Which way the picture is held; empty: upright. Need not be a unit.
+  std::optional<float> orthographic_height;        ///< Parallel rays; of what is seen, in the model's units.
   float azimuth_deg = 0.0f, elevation_deg = 0.0f;  ///< Turned about the focal point after all else.
 };
 
 enum class Background : std::uint8_t { color, environment };
+
+/// Properties given in place of those of every material.
+struct MaterialOverride {
+  std::optional<glm::vec3> base_color;
+  std::optional<float> metallic, roughness;
+  ExactMaterial exact;
+};
+
+/// Lines drawn over the finished picture.
+struct Overlays {
+  bool edges = false;    ///< Of the triangles that are seen.
+  bool normals = false;  ///< Of the vertices that are seen.
+  bool light_markers = false;
+};
 
 /// Every choice that `barrido render` offers for one frame.
 struct RenderSettings {
@@ -63,6 +79,7 @@ struct RenderSettings {
   CameraChoice camera;
   std::vector<UserLight> lights;  ///< Any: these replace the file's.
   bool no_lights = false;
+  std::vector<int> lights_off;  ///< Places, from 0, among the lights that the frame would have.
   std::optional<glm::vec3> ambient;
   std::shared_ptr<const raster::Texture> environment;  ///< Cube map; null: none.
   bool dynamic_environment = false;                    ///< Rendered from each reflecting object's centre.
@@ -72,6 +89,8 @@ struct RenderSettings {
   bool fog_takes_background = false;       ///< The colour of `fog` is the background's, whoever gave that.
   std::optional<pipeline::CullFace> cull;  ///< Empty: as the materials say.
   bool wireframe = false;
+  Overlays overlays;
+  MaterialOverride material;
   std::optional<float> crease_angle_deg;  ///< Set: normals are averaged where a model has none.
   ColorManagement color_management = ColorManagement::srgb;
   float exposure_ev = 0.0f;

@@ -166,13 +166,34 @@ void set_lit(Surface& surface, const Material& material, bool has_colors, const 
   set_emission(surface, material, coefficients.emission, options, textures, builder);
 }
 
+template <class Value>
+void replace(std::optional<Value>& value, const std::optional<Value>& by) {
+  if (by) value = by;
+}
+
+/// The file's material with what the user gave in its place. A colour, metalness or roughness given is meant
+/// to be seen, so exact coefficients of the file give way to it.
+Material changed(Material material, const MaterialOverride& by) {
+  if (by.base_color || by.metallic || by.roughness) material.exact = {};
+  if (by.base_color) material.base_color = glm::vec4(*by.base_color, material.base_color.a);
+  material.metallic = by.metallic.value_or(material.metallic);
+  material.roughness = by.roughness.value_or(material.roughness);
+  replace(material.exact.ambient, by.exact.ambient);
+  replace(material.exact.diffuse, by.exact.diffuse);
+  replace(material.exact.specular, by.exact.specular);
+  replace(material.exact.emission, by.exact.emission);
+  replace(material.exact.shininess, by.exact.shininess);
+  return material;
+}
+
 }  // namespace
 
 Surface make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
                      const SurfaceOptions& options, TextureCache& textures) {
   static const Material kDefaultMaterial;
-  const Material& source =
-      material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(material)];
+  const Material source =
+      changed(material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(material)],
+              options.material);
   Surface surface;
   surface.texture_matrix.fill(glm::mat4(1.0f));
   surface.alpha_mode = source.alpha_mode;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/scene/material_conversion.h"
+#include "pipeline/scene/render_scene.h"
 #include "pipeline/scene/scene.h"
 #include "pipeline/scene/texture_cache.h"
 #include "pipeline/state.h"
@@ -22,6 +23,7 @@ struct SurfaceOptions {
   pipeline::SpecularModel specular_model = pipeline::SpecularModel::blinn;
   ConversionLimits limits;
   bool mip_colors = false;  ///< As TexelUse::mip_colors, for base colours.
+  MaterialOverride material;
 };
 
 struct Surface {

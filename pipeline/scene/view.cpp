@@ -56,6 +56,12 @@ void apply_overrides(Eye& eye, const CameraChoice& choice) {
     eye.orthographic = false;
     eye.vertical_fov_rad = radians(std::clamp<double>(*choice.view_angle_deg, 0.01, 179.0));
   }
+  if (choice.view_up) eye.up = unit_or(glm::dvec3(*choice.view_up), eye.up);
+  if (choice.orthographic_height) {
+    eye.orthographic = true;
+    eye.half_height = *choice.orthographic_height * 0.5;
+    eye.near_plane = eye.far_plane = 0.0;
+  }
 }
 
 glm::dvec3 forward_of(const Eye& eye, const Sphere& bounds) {

@@ -33,6 +33,7 @@ struct OptionSyntax {
 struct GivenOption {
   std::size_t index = 0;  ///< In the syntax.
   std::string value;      ///< Empty for a flag, and for an optional value that was left out.
+  std::string source{};   ///< The settings file it stands in; empty: the command line.
 };
 
 struct Arguments {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "viewer/barrido/light_spec.h"
+#include "viewer/barrido/material_spec.h"
 #include "viewer/barrido/render_values.h"
 #include "viewer/barrido/values.h"
 
@@ -72,6 +73,15 @@ constexpr RenderOption kShading[] = {
      set_cull},
     {{"Shading", "--wireframe", "", kFlag, "", "Draw edges only."},
      [](Options& o, Text) { o.settings.wireframe = true; }},
+    {{"Shading", "--edges", "", kFlag, "", "Draw edges over the surfaces."},
+     [](Options& o, Text) { o.settings.overlays.edges = true; }},
+    {{"Shading", "--normals", "", kFlag, "", "Draw the vertices' normals as lines."},
+     [](Options& o, Text) { o.settings.overlays.normals = true; }},
+    {{"Shading", "--material", "", kValue, "SPEC",
+      "Properties in place of those of every material, KEY=VALUE with colons between. Keys: color=R,G,B "
+      "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
+      "emission=R,G,B shininess=N. Colours are linear."},
+     [](Options& o, Text text) { o.settings.material = parse_material(text); }},
     {{"Shading", "--fog", "", kValue, "SPEC",
       "linear:START,END[:R,G,B], exp:DENSITY[:R,G,B] or exp2:DENSITY[:R,G,B], by distance from the eye; the "
       "colour is given as it is to be seen. Default: the colour of --background, or dark grey."},
@@ -107,6 +117,11 @@ constexpr RenderOption kLights[] = {
      [](Options& o, Text text) { o.settings.lights.push_back(parse_light(text)); }},
     {{"Lights", "--ambient", "", kValue, "R,G,B", "Ambient light, linear. Default: the file's, or a little."},
      set_ambient},
+    {{"Lights", "--light-off", "", kValue, "LIST",
+      "Leave out these of the frame's lights: numbers from 1, with commas between."},
+     set_lights_off},
+    {{"Lights", "--light-markers", "", kFlag, "", "Draw where the lights are."},
+     [](Options& o, Text) { o.settings.overlays.light_markers = true; }},
     {{"Lights", "--no-lights", "", kFlag, "", "Leave out all lights but the ambient."},
      [](Options& o, Text) { o.settings.no_lights = true; }},
 };
@@ -123,6 +138,12 @@ constexpr RenderOption kCamera[] = {
      [](Options& o, Text text) { o.settings.camera.focal_point = parse_point(text); }},
     {{"Camera", "--camera-view-angle", "", kValue, "DEG", "Vertical field of view, 1..170."},
      [](Options& o, Text text) { o.settings.camera.view_angle_deg = parse_degrees(text, 1.0, 170.0); }},
+    {{"Camera", "--camera-up", "", kValue, "X,Y,Z",
+      "The direction that is up in the picture, to roll the camera. Default: as --up, or the file's."},
+     set_camera_up},
+    {{"Camera", "--orthographic-height", "", kValue, "H",
+      "Parallel rays; the picture is H of the model's units high."},
+     set_orthographic_height},
     {{"Camera", "--up", "", kValue, "AXIS", "+X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z. Default +Y."},
      set_up},
     {{"Camera", "--azimuth", "", kValue, "DEG", "Turn about the focal point to the right, -360..360."},
@@ -176,6 +197,9 @@ constexpr RenderOption kExecution[] = {
     {{"Execution", "--visibility-first", "", kValue, "on|off",
       "Find what is visible before shading (default on). Never changes a pixel."},
      set_visibility_first},
+    {{"Execution", "--settings", "", kValue, "FILE",
+      "Options from a JSON file, as barrido-view saves it; those of the command line win."},
+     [](Options& o, Text text) { o.settings_path = text; }},
     {{"Execution", "--help", "-h", kFlag, "", "This text."}, [](Options& o, Text) { o.help = true; }},
 };
 

@@ -1,7 +1,10 @@
 #include "viewer/barrido/render_options.h"
 
+#include <algorithm>
+
 #include "viewer/barrido/output_template.h"
 #include "viewer/barrido/render_option_table.h"
+#include "viewer/barrido/settings_file.h"
 
 namespace barrido::cli {
 namespace {
@@ -28,7 +31,9 @@ void apply(RenderOptions& options, const RenderOption& option, const GivenOption
   try {
     option.apply(options, given.value);
   } catch (const ValueError& error) {
-    throw UsageError(std::string(option.syntax.name) + ": '" + given.value + "': " + error.what());
+    const std::string name = given.source.empty() ? std::string(option.syntax.name)
+                                                  : given.source + ": " + settings_name(option.syntax);
+    throw UsageError(name + ": '" + given.value + "': " + error.what());
   }
 }
 
@@ -44,6 +49,7 @@ constexpr Exclusion kExclusions[] = {
     {"--view", "--stats"},
     {"--camera-index", "--camera-position"},
     {"--camera-index", "--camera-focal-point"},
+    {"--camera-view-angle", "--orthographic-height"},
 };
 
 struct Need {
@@ -65,8 +71,9 @@ void check_combinations(const Given& given) {
   }
 }
 
-void check_frame(const RenderOptions& options, const Given& given, const std::string& command) {
-  if (options.files.empty()) {
+void check_frame(const RenderOptions& options, const Given& given, const std::string& command,
+                 bool needs_file) {
+  if (needs_file && options.files.empty()) {
     throw UsageError(command + ": no FILE given; see barrido " + command + " --help");
   }
   for (const std::string& file : options.files) {
@@ -90,20 +97,41 @@ void check_output(const RenderOptions& options) {
   }
 }
 
+/// The options of the settings file, as if they had been given too; those that were given win.
+void add_settings(Arguments& arguments, std::span<const RenderOption> table) {
+  for (const GivenOption& given : arguments.options) {
+    if (table[given.index].syntax.name != "--settings") continue;
+    std::vector<OptionSyntax> syntax;
+    for (const RenderOption& option : table) syntax.push_back(option.syntax);
+    std::vector<GivenOption> all = read_settings(given.value, syntax);
+    std::erase_if(all, [&](const GivenOption& option) { return arguments.has(option.index); });
+    all.insert(all.end(), arguments.options.begin(), arguments.options.end());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const GivenOption& a, const GivenOption& b) { return a.index < b.index; });
+    arguments.options = std::move(all);
+    return;
+  }
+}
+
 }  // namespace
 
-RenderOptions read_frame_options(const Arguments& arguments, std::span<const RenderOption> table,
-                                 const std::string& command) {
-  const Given given(arguments, table);
+RenderOptions read_frame_options(Arguments arguments, std::span<const RenderOption> table,
+                                 const std::string& command, bool needs_file) {
   RenderOptions options;
-  options.help = given("--help");
+  options.help = Given(arguments, table)("--help");
   if (options.help) return options;
+  add_settings(arguments, table);
+  const Given given(arguments, table);
   for (const GivenOption& option : arguments.options) apply(options, table[option.index], option);
   options.files = arguments.files;
-  check_frame(options, given, command);
+  check_frame(options, given, command, needs_file);
   scene::CameraChoice& camera = options.settings.camera;
   if (camera.position || camera.focal_point) camera.ignore_file_cameras = true;
   return options;
+}
+
+RenderOptions parse_view_options(std::span<const std::string> words) {
+  return read_frame_options(parse_arguments(render_syntax(), words), render_option_table(), "view", false);
 }
 
 RenderOptions parse_render_options(std::span<const std::string> words) {

@@ -1,5 +1,5 @@
 // Everything that `barrido render` was told, as values: the command line in, one plain struct out. Knows what
-// the options mean and which exclude each other, and loads no file.
+// the options mean and which exclude each other, and loads no file but that of --settings.
 #pragma once
 
 #include <optional>
@@ -38,6 +38,7 @@ struct RenderOptions {
   bool quiet = false;
   StatsFormat stats = StatsFormat::none;
   int png_compression = 1;
+  std::string settings_path;  ///< File of further options; empty: none. They have been applied.
 
   std::string environment_path;                          ///< Empty: none, or `settings.dynamic_environment`.
   std::optional<std::array<float, 4>> background_shown;  ///< As it is to be seen, straight alpha.
@@ -62,12 +63,17 @@ struct RenderOptions {
 std::span<const OptionSyntax> render_syntax();
 
 /// Reads the values of `arguments`, whose options are those of `table`, and checks all that concerns a frame
-/// and its model whoever asks for it. `command` is named in messages. @throws UsageError.
-RenderOptions read_frame_options(const Arguments& arguments, std::span<const RenderOption> table,
-                                 const std::string& command);
+/// and its model whoever asks for it; those of a settings file are as if they had been given. `command` is
+/// named in messages. @throws UsageError, and scene::InputError for the settings file.
+RenderOptions read_frame_options(Arguments arguments, std::span<const RenderOption> table,
+                                 const std::string& command, bool needs_file = true);
 
-/// @throws UsageError.
+/// @throws as read_frame_options.
 RenderOptions parse_render_options(std::span<const std::string> words);
+
+/// The options of one picture as barrido-view takes them: neither file nor output is needed.
+/// @throws as read_frame_options.
+RenderOptions parse_view_options(std::span<const std::string> words);
 
 /// "flat", "gouraud", "cheap-phong" or "phong".
 std::string_view name_of(pipeline::ShadeModel model);

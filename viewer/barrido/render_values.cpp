@@ -152,6 +152,26 @@ void set_up(RenderOptions& options, std::string_view text) {
   options.settings.camera.up = {up[0], up[1], up[2]};
 }
 
+void set_camera_up(RenderOptions& options, std::string_view text) {
+  const glm::vec3 up = parse_point(text);
+  if (up == glm::vec3(0.0f)) throw ValueError("expected a direction, not 0,0,0");
+  options.settings.camera.view_up = up;
+}
+
+void set_orthographic_height(RenderOptions& options, std::string_view text) {
+  options.settings.camera.orthographic_height = static_cast<float>(parse_number(text, 1e-18, kAnyNumber));
+}
+
+void set_lights_off(RenderOptions& options, std::string_view text) {
+  for (const std::string_view number : split(text, ',')) {
+    try {
+      options.settings.lights_off.push_back(parse_whole(number, 1, raster::kMaxLights) - 1);
+    } catch (const ValueError& error) {
+      throw ValueError(std::string(error.what()) + ", or several with commas between");
+    }
+  }
+}
+
 void set_frames(RenderOptions& options, std::string_view text) {
   const auto ends = split(text, ':');
   FrameRange range;

@@ -1,0 +1,99 @@
+"""A random walk over keys, drags, clicks, wheel and window sizes of barrido-view: it must not end, complain, or show what
+its command line does not render.
+
+usage: random_walk.py PROGRAM_FOLDER PROJECT_FOLDER [--seconds N] [--seed N]
+"""
+
+import argparse
+import pathlib
+import random
+import sys
+import tempfile
+import time
+
+import display
+from viewer_program import ViewerProgram
+
+# Keys with how often; Escape would quit.
+KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d a 1 3 5 7 9 Return Up Left Right space z h "
+        "Tab c ctrl+1 ctrl+2 ctrl+3 ctrl+8 ctrl+s ctrl+o F12").split()
+MODELS = ["showcase.glb", "room.glb", "checker_ground.glb", "lost_highlight.glb", "torus.glb"]
+SIZES = [(640, 400), (333, 517), (1000, 700), (200, 120)]
+CHECK_EVERY = 40
+
+
+class Walk:
+    def __init__(self, program: ViewerProgram, chance: random.Random):
+        self.program, self.chance = program, chance
+
+    def place(self) -> tuple[int, int]:
+        return self.chance.randrange(0, 640), self.chance.randrange(0, 400)
+
+    def step(self) -> None:
+        screen, chance = self.program.screen, self.chance
+        action = chance.choices(["key", "drag", "click", "wheel", "size"], [10, 5, 2, 2, 0.3])[0]
+        if action == "key":
+            self.program.key(*(chance.choice(KEYS) for _ in range(chance.randrange(1, 5))))
+        elif action == "drag":
+            self.program.drag(chance.choice([1, 1, 1, 2, 3]), self.place(), self.place(),
+                              chance.choice(["", "", "shift", "ctrl"]))
+        elif action == "click":
+            screen.xdotool("mousemove", *self.place(), "click", chance.choice([1, 1, 3]))
+        elif action == "wheel":
+            screen.xdotool("mousemove", *self.place(), "click", "--repeat", chance.randrange(1, 6), "--delay", 5,
+                           chance.choice([4, 5]))
+        else:
+            screen.xdotool("windowsize", self.program.window, *chance.choice(SIZES))
+
+    def alive(self) -> None:
+        """Everything sent has been seen; raises when the program has ended."""
+        self.program.screen.xdotool("mousemove", 20, 20)
+        self.program.key("c")
+        self.program.wait_for_line("barrido render")
+
+
+def walk(programs: pathlib.Path, project: pathlib.Path, seconds: float, seed: int) -> int:
+    screen = display.Display()
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="barrido-walk-"))
+    words = [str(project / "models" / name) for name in MODELS]
+    program = ViewerProgram(screen, programs, folder,
+                            ["--resolution", "320,400", "--environment", str(project / "models" / "sky"), *words])
+    steps = 0
+    try:
+        one = Walk(program, random.Random(seed))
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            one.step()
+            steps += 1
+            if steps % CHECK_EVERY == 0:
+                one.alive()
+        one.alive()
+    except AssertionError as error:
+        print(f"seed {seed}, step {steps}: {error}")
+        return 1
+    finally:
+        errors = program.error_text()
+        program.stop()
+        screen.close()
+    print(f"{steps} steps in {seconds:g} s, {program.frames} pictures, seed {seed}")
+    if errors:
+        print(f"it said: {errors}")
+    return 1 if errors else 0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("programs", type=pathlib.Path)
+    parser.add_argument("project", type=pathlib.Path)
+    parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    try:
+        return walk(arguments.programs.resolve(), arguments.project.resolve(), arguments.seconds, arguments.seed)
+    except display.Missing as missing:
+        print(f"skipped: {missing}")
+        return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,196 @@
+"""The real window on a screen without a monitor: after keys, drags and changes of size it shows exactly the pixels that
+the copied command line renders.
+
+usage: window_test.py PROGRAM_FOLDER PROJECT_FOLDER [unittest options]
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import display
+from viewer_program import ViewerProgram
+
+PROGRAMS = pathlib.Path(sys.argv[1]).resolve()
+PROJECT = pathlib.Path(sys.argv[2]).resolve()
+MODELS = PROJECT / "models"
+# Small, so that slow machines are quick enough.
+SIZE = ["--resolution", "320,240"]
+
+
+class WindowTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        try:
+            cls.screen = display.Display()
+        except display.Missing as missing:
+            raise unittest.SkipTest(f"no virtual display: {missing}")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.screen.close()
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="barrido-view-"))
+
+        self.addCleanup(self.remove_folder)
+
+    def remove_folder(self):
+        """Unless it holds a picture that was not as it should be."""
+        if not (self.folder / "shown.ppm").exists():
+            shutil.rmtree(self.folder)
+
+    def start(self, *words: object, panel: bool = False) -> ViewerProgram:
+        size = SIZE if "--resolution" not in words else []
+        hidden = [] if panel else ["--no-panel"]
+        program = ViewerProgram(self.screen, PROGRAMS, self.folder, [*hidden, *size, *map(str, words)])
+        self.addCleanup(program.stop)
+        return program
+
+    def test_first_picture(self):
+        program = self.start(MODELS / "teapot.glb")
+        self.assertEqual((program.frame.width, program.frame.height), (320, 240))
+        program.expect_equal_pixels("first picture")
+        self.assertEqual(program.close(), 0)
+        self.assertEqual((self.folder / "errors.txt").read_text(), "")
+
+    def test_keys(self):
+        program = self.start(MODELS / "showcase.glb", "--environment", MODELS / "sky")
+        # Every key that changes the picture, some of them together.
+        for keys in (["s"], ["s", "b", "o"], ["shift+s", "e"], ["t", "w"], ["w", "t", "i"], ["f", "m"],
+                     ["shift+f", "k"], ["n", "g"], ["g", "r"], ["r", "x"], ["r", "u"], ["ctrl+1"],
+                     ["ctrl+2", "l"], ["shift+l", "j"], ["y"], ["5"], ["1"], ["7"], ["5"], ["Return"]):
+            for key in keys:
+                program.draw_key(key)
+            program.expect_equal_pixels("+".join(keys))
+        program.close()
+
+    def test_drags(self):
+        program = self.start(MODELS / "room.glb")
+        program.drag(1, (160, 120), (200, 90))
+        program.expect_equal_pixels("orbit")
+        program.drag(1, (160, 120), (130, 150), "shift")
+        program.expect_equal_pixels("pan")
+        program.drag(1, (200, 120), (180, 190), "ctrl")
+        program.expect_equal_pixels("roll")
+        program.drag(3, (160, 120), (160, 90))
+        program.drag(2, (160, 120), (150, 120))
+        program.expect_equal_pixels("zoom and pan")
+        program.screen.xdotool("click", 4)
+        program.screen.xdotool("click", 4)
+        program.key("5")
+        program.screen.xdotool("click", 5)
+        program.expect_equal_pixels("wheel")
+        words = program.command_line()
+        for option in ("--camera-position", "--camera-focal-point", "--camera-up", "--orthographic-height"):
+            self.assertIn(option, words)
+        program.close()
+
+    def test_size(self):
+        program = self.start(MODELS / "torus.glb", panel=True)
+        self.assertEqual(program.frame.width, 320)
+        for width, height in ((901, 333), (700, 512)):
+            program.screen.xdotool("windowsize", "--sync", program.window, width, height)
+            while (program.frame.width, program.frame.height) != (width - 320, height):
+                program.wait_for_frame()
+            program.expect_equal_pixels(f"{width} x {height}")
+        program.key("Tab")
+        while program.frame.width != 700:
+            program.wait_for_frame()
+        program.expect_equal_pixels("without panel")
+        program.close()
+
+    def test_larger_letters(self):
+        program = self.start(MODELS / "torus.glb", "--scale", "2", panel=True)
+        self.assertEqual((program.frame.width, program.frame.height), (320, 240))
+        program.expect_equal_pixels("scale 2")
+        program.close()
+
+    def test_idle_costs_nothing(self):
+        program = self.start(MODELS / "teapot.glb")
+        program.command_line()
+        frames = program.frames
+        ticks = self.ticks(program)
+        time.sleep(2.0)
+        spent_s = (self.ticks(program) - ticks) / os.sysconf("SC_CLK_TCK")
+        program.command_line()
+        self.assertEqual(program.frames, frames, "a picture was drawn while nothing changed")
+        self.assertLess(spent_s, 0.5)
+        program.close()
+
+    @staticmethod
+    def ticks(program: ViewerProgram) -> int:
+        """Time that the process has had the processor."""
+        fields = pathlib.Path(f"/proc/{program.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return int(fields[11]) + int(fields[12])
+
+    def test_files(self):
+        own = self.folder / "own.glb"
+        shutil.copy(MODELS / "sphere.glb", own)
+        program = self.start(own, MODELS / "torus.glb")
+        program.expect_equal_pixels("first file")
+        program.draw_key("Right")
+        program.expect_equal_pixels("second file")
+        self.assertTrue(program.command_line()[-1].endswith("torus.glb"))
+        program.draw_key("Right")
+        self.assertTrue(program.command_line()[-1].endswith("own.glb"))
+        program.draw_key("Up")
+        replacement = self.folder / "new.part"
+        shutil.copy(MODELS / "t_junction.glb", replacement)
+        replacement.rename(own)
+        program.wait_for_frame()
+        program.expect_equal_pixels("changed on disk")
+        own.write_bytes(b"no model")
+        program.wait_for_frame()  # The old model stays, with a message over it that the next key removes.
+        program.key("z", "z")
+        program.close()
+
+    def test_picture_and_settings(self):
+        program = self.start(MODELS / "teapot.glb", "--settings", self.write_settings())
+        program.drag(1, (160, 120), (100, 100))
+        program.expect_equal_pixels("settings given")
+        program.key("F12")
+        self.assertEqual(program.wait_for_line("wrote"), "wrote teapot-1.png")
+        self.assertTrue((self.folder / "teapot-1.png").exists())
+        program.key("ctrl+s")
+        program.wait_for_line("saved")
+        words = program.command_line()
+        wanted = program.rendered_hash(words)
+        saved = [words[0], words[1], "--settings", "view.json", "-o", "out.png", "--", words[-1]]
+        self.assertEqual(program.rendered_hash(saved), wanted)
+        program.draw_key("Return")
+        program.draw_key("ctrl+o")
+        self.assertEqual(program.rendered_hash(program.command_line()), wanted)
+        program.close()
+
+    def write_settings(self) -> str:
+        (self.folder / "view.json").write_text(
+            '{"shading": "gouraud", "background": [0.1, 0.2, 0.3], "light": ["key", "point:pos=1,2,3:intensity=-0.5"],'
+            ' "edges": true, "exposure": 0.25}')
+        return "view.json"
+
+    def test_split(self):
+        program = self.start(MODELS / "lost_highlight.glb", "--color-management", "none", "--no-textures")
+        program.draw_key("d")
+        program.draw_key("s")
+        left = program.command_line()
+        program.key("a")
+        right = program.command_line()
+        self.assertNotEqual(left, right)
+        program.close()
+
+    def test_no_display(self):
+        environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        result = subprocess.run([PROGRAMS / "barrido-view", MODELS / "teapot.glb"], env=environment,
+                                capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"^barrido-view: no window can be opened: .*DISPLAY.*\n$")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[3:]])

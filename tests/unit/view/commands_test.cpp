@@ -1,0 +1,105 @@
+// What single keys do to the options.
+#include "viewer/view/commands.h"
+
+#include <gtest/gtest.h>
+
+namespace barrido::view {
+namespace {
+
+using pipeline::ShadeModel;
+
+const char* const kRoom = BARRIDO_SOURCE_DIR "/models/room.glb";
+const char* const kTeapot = BARRIDO_SOURCE_DIR "/models/teapot.glb";
+
+TEST(Commands, ShadingGoesRoundBothWays) {
+  cli::RenderOptions options;
+  options.shadings = {ShadeModel::flat};
+  for (const ShadeModel next :
+       {ShadeModel::gouraud, ShadeModel::cheap_phong, ShadeModel::phong, ShadeModel::flat}) {
+    step_shading(options, 1);
+    EXPECT_EQ(options.shadings[0], next);
+  }
+  step_shading(options, -1);
+  EXPECT_EQ(options.shadings[0], ShadeModel::phong);
+}
+
+TEST(Commands, FiltersBeginWithTheFiles) {
+  cli::RenderOptions options;
+  step_min_filter(options, 1);
+  EXPECT_EQ(options.settings.min_filter, raster::MinFilter::nearest);
+  step_min_filter(options, -1);
+  EXPECT_FALSE(options.settings.min_filter);
+  step_min_filter(options, -1);
+  EXPECT_EQ(options.settings.min_filter, raster::MinFilter::linear_mipmap_linear);
+  step_min_filter(options, 1);
+  EXPECT_FALSE(options.settings.min_filter);
+}
+
+TEST(Commands, LightsAreSwitchedByNumber) {
+  cli::RenderOptions options;
+  toggle_light(options, 2);
+  toggle_light(options, 0);
+  EXPECT_EQ(options.settings.lights_off, (std::vector{0, 2}));
+  toggle_light(options, 2);
+  EXPECT_EQ(options.settings.lights_off, std::vector{0});
+}
+
+TEST(Commands, ExposureStaysWithinTheOptionsBounds) {
+  cli::RenderOptions options;
+  for (int i = 0; i < 100; ++i) change_exposure(options, 0.5f);
+  EXPECT_EQ(options.settings.exposure_ev, 32.0f);
+}
+
+TEST(Commands, FogBeginsBeforeTheSceneAndEndsBehindIt) {
+  Viewer viewer({});
+  viewer.open({kTeapot});
+  step_fog(viewer);
+  ASSERT_TRUE(viewer.active().fog);
+  const raster::FogState fog = viewer.active().fog->state;
+  EXPECT_EQ(fog.mode, raster::FogMode::linear);
+  const Look look = viewer.look().value();
+  const double distance = glm::length(look.eye.position - look.bounds.center);
+  EXPECT_LT(fog.start, distance);
+  EXPECT_GT(fog.end, distance + look.bounds.radius);
+  step_fog(viewer);
+  EXPECT_EQ(viewer.active().fog->state.mode, raster::FogMode::exp);
+  step_fog(viewer);
+  EXPECT_EQ(viewer.active().fog->state.mode, raster::FogMode::exp2);
+  step_fog(viewer);
+  EXPECT_FALSE(viewer.active().fog);
+}
+
+TEST(Commands, EnvironmentsGoRound) {
+  cli::RenderOptions options;
+  options.environment_path = "sky";
+  Viewer viewer(options);
+  toggle_environment_background(viewer);
+  EXPECT_EQ(viewer.active().settings.background, scene::Background::environment);
+  step_environment(viewer);
+  EXPECT_EQ(viewer.active().environment_path, "");
+  EXPECT_EQ(viewer.active().settings.background, scene::Background::color);
+  step_environment(viewer);
+  EXPECT_TRUE(viewer.active().settings.dynamic_environment);
+  step_environment(viewer);
+  EXPECT_FALSE(viewer.active().settings.dynamic_environment);
+  EXPECT_EQ(viewer.active().environment_path, "sky");
+}
+
+/// Lights taken over for editing light the scene as they did in the file, but for the rounding of angles.
+TEST(Commands, LightsTakenOverLookTheSame) {
+  for (const char* const model : {kRoom, kTeapot}) {
+    cli::RenderOptions options;
+    options.settings.width = options.settings.height = 64;
+    Viewer viewer(options);
+    viewer.open({model});
+    const Picture before = viewer.draw();
+    take_over_lights(viewer);
+    EXPECT_FALSE(viewer.active().settings.lights.empty());
+    const Difference difference = difference_of(before, viewer.draw());
+    EXPECT_LE(difference.largest, 1) << model;
+    EXPECT_EQ(viewer.message, "");
+  }
+}
+
+}  // namespace
+}  // namespace barrido::view

@@ -1,0 +1,280 @@
+#include "viewer/barrido-view/app.h"
+
+#include <GL/gl.h>
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "pipeline/scene/image_io.h"
+#include "viewer/barrido-view/panel.h"
+#include "viewer/barrido-view/picture_marks.h"
+#include "viewer/barrido/commands.h"
+#include "viewer/barrido/frame_plan.h"
+#include "viewer/barrido/settings_file.h"
+#include "viewer/barrido/standard_streams.h"
+#include "viewer/barrido/text_format.h"
+#include "viewer/view/key_table.h"
+
+namespace barrido::window {
+namespace {
+
+using view::Key;
+
+/// A drag that would take longer than this a picture gets coarser pictures.
+constexpr double kSmoothMs = 45.0;
+constexpr int kCoarsest = 4;
+constexpr int kShowsToSettle = 3;
+/// Below this the picture has the window for itself.
+constexpr float kLeastPictureUnits = 160.0f;
+
+Key key_of_glfw(int key) {
+  constexpr std::array<std::pair<int, Key>, 10> kKeys{{{GLFW_KEY_ESCAPE, Key::escape},
+                                                       {GLFW_KEY_ENTER, Key::enter},
+                                                       {GLFW_KEY_KP_ENTER, Key::enter},
+                                                       {GLFW_KEY_TAB, Key::tab},
+                                                       {GLFW_KEY_SPACE, Key::space},
+                                                       {GLFW_KEY_UP, Key::up},
+                                                       {GLFW_KEY_LEFT, Key::left},
+                                                       {GLFW_KEY_RIGHT, Key::right},
+                                                       {GLFW_KEY_F12, Key::f12},
+                                                       {GLFW_KEY_UNKNOWN, Key::none}}};
+  for (const auto& [glfw, own] : kKeys) {
+    if (glfw == key) return own;
+  }
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
+    return view::key_of(static_cast<char>('0' + key - GLFW_KEY_KP_0));
+  return key < 128 ? view::key_of(static_cast<char>(key)) : Key::none;
+}
+
+unsigned modifiers_of_glfw(int modifiers) {
+  return ((modifiers & GLFW_MOD_SHIFT) != 0 ? view::kShift : 0u) |
+         ((modifiers & GLFW_MOD_CONTROL) != 0 ? view::kControl : 0u);
+}
+
+bool is_model(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& letter : extension)
+    letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
+  return extension == ".gltf" || extension == ".glb";
+}
+
+WindowSize first_size(const view::ViewArguments& arguments) {
+  const auto panel = static_cast<int>(arguments.panel ? kPanelUnits * std::max(arguments.scale, 1.0f) : 0.0f);
+  return {arguments.options.settings.width + panel, arguments.options.settings.height};
+}
+
+}  // namespace
+
+App::App(const view::ViewArguments& arguments)
+    : arguments_(arguments),
+      viewer_(arguments.options),
+      window_(first_size(arguments), arguments.scale, *this),
+      pointer_(viewer_) {
+  viewer_.display.panel = arguments.panel;
+  pointer_.scale = window_.scale() * window_.pixels_per_unit();
+  viewer_.open(arguments.files);
+}
+
+int App::run() {
+  while (!quit_ && !window_.should_close()) step();
+  return cli::kExitFine;
+}
+
+void App::step() {
+  const bool busy = viewer_.changed || shows_ > 0 || viewer_.playing() || coarseness_ > 1;
+  window_.poll(!busy);
+  pointer_.flush();
+  if (file_changed_.exchange(false)) viewer_.reload();
+  watch_file();
+  const double now = window_.seconds();
+  if (viewer_.playing()) viewer_.advance(std::min(now - playing_since_, 0.25));
+  playing_since_ = now;
+  fit_picture();
+  if (viewer_.changed || (coarseness_ > 1 && !pointer_.dragging())) draw_picture();
+  if (shows_ > 0) show();
+  answer_requests();
+}
+
+float App::panel_pixels() const {
+  const float panel = kPanelUnits * window_.scale() * window_.pixels_per_unit();
+  const float least = kLeastPictureUnits * window_.pixels_per_unit();
+  const bool fits = static_cast<float>(window_.size().width) >= panel + least;
+  return viewer_.display.panel && fits ? panel : 0.0f;
+}
+
+void App::fit_picture() {
+  const WindowSize size = window_.size();
+  if (size.width <= 0 || size.height <= 0) return;  // Minimised.
+  viewer_.set_size(size.width - static_cast<int>(panel_pixels()), size.height);
+}
+
+void App::draw_picture() {
+  const bool hurry = (pointer_.dragging() || viewer_.playing()) && full_ms_ > kSmoothMs;
+  const int wanted = static_cast<int>(std::ceil(std::sqrt(full_ms_ / kSmoothMs)));
+  coarseness_ = hurry ? std::clamp(wanted, 2, kCoarsest) : 1;
+  const view::Picture& picture = viewer_.draw(coarseness_);
+  if (coarseness_ == 1) full_ms_ = viewer_.costs().draw_ms;
+  quad_.set_picture(picture);
+  ++frames_;
+  shows_ = kShowsToSettle;
+  report_ = "frame " + std::to_string(frames_) + " drawn " + std::to_string(picture.width) + "x" +
+            std::to_string(picture.height) + (coarseness_ > 1 ? " coarse" : "") + " in " +
+            cli::fixed(viewer_.costs().draw_ms, 1) + " ms";
+  set_title();
+}
+
+void App::show() {
+  --shows_;
+  const WindowSize size = window_.size();
+  glViewport(0, 0, size.width, size.height);
+  glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  quad_.draw(0, 0, viewer_.width(), viewer_.height());
+  window_.begin_panel();
+  if (panel_pixels() > 0.0f) draw_panel(viewer_, status_, window_.scale());
+  draw_marks(viewer_, pointer_, window_.scale(), window_.pixels_per_unit());
+  window_.end_panel();
+  window_.show();
+  if (!report_.empty()) {
+    glFinish();
+    if (arguments_.report) say(report_);
+    report_.clear();
+  }
+}
+
+void App::on_anything() { shows_ = std::max(shows_, kShowsToSettle); }
+
+void App::on_key(int glfw_key, int glfw_modifiers) {
+  pointer_.flush();
+  if (ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput) return;
+  if (!viewer_.message.empty()) viewer_.message.clear();
+  view::press(viewer_, key_of_glfw(glfw_key), modifiers_of_glfw(glfw_modifiers));
+  answer_requests();
+}
+
+bool App::is_over_picture(double x, double y) const {
+  if (x < 0 || y < 0 || x >= viewer_.width() || y >= viewer_.height()) return false;
+  return !is_over_marks(x, y) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+void App::on_button(int glfw_button, bool pressed, int glfw_modifiers) {
+  if (!pressed) {
+    pointer_.release(glfw_button);
+    return;
+  }
+  if (!is_over_picture(pointer_.x(), pointer_.y())) return;
+  viewer_.message.clear();
+  pointer_.press(glfw_button, (glfw_modifiers & GLFW_MOD_SHIFT) != 0,
+                 (glfw_modifiers & GLFW_MOD_CONTROL) != 0);
+}
+
+void App::on_motion(double x, double y) { pointer_.move(x, y); }
+
+void App::on_wheel(double steps) {
+  if (is_over_picture(pointer_.x(), pointer_.y())) pointer_.wheel(steps);
+}
+
+void App::on_drop(const std::vector<std::string>& paths) {
+  std::vector<std::string> models;
+  for (const std::string& path : paths) {
+    if (is_model(path)) {
+      models.push_back(path);
+    } else {
+      viewer_.set_environment(path);
+    }
+  }
+  if (models.empty()) return;
+  viewer_.open(models);
+  viewer_.reset_camera();
+}
+
+void App::watch_file() {
+  if (viewer_.path() == watched_) return;
+  watched_ = viewer_.path();
+  watch_.reset();
+  if (watched_.empty()) return;
+  watch_ = std::make_unique<view::FileWatch>(watched_, [this] {
+    file_changed_ = true;
+    Window::wake();
+  });
+}
+
+void App::answer_requests() {
+  const std::vector<view::Request> requests = std::exchange(viewer_.requests, {});
+  for (const view::Request request : requests) {
+    try {
+      answer(request);
+    } catch (const std::exception& error) {
+      viewer_.message = error.what();
+    }
+    on_anything();
+  }
+}
+
+void App::answer(view::Request request) {
+  switch (request) {
+    case view::Request::copy_command_line: {
+      const std::string line = viewer_.command_line(viewer_.active_side());
+      window_.set_clipboard(line);
+      say(line);
+      status_ = "copied the command line";
+      return;
+    }
+    case view::Request::write_picture:
+      write_picture();
+      return;
+    case view::Request::save_settings:
+      cli::write_settings(arguments_.settings_path, cli::render_syntax(), viewer_.words());
+      status_ = "saved " + arguments_.settings_path;
+      if (arguments_.report) say(status_);
+      return;
+    case view::Request::load_settings:
+      viewer_.load_settings(arguments_.settings_path);
+      status_ = "loaded " + arguments_.settings_path;
+      return;
+    case view::Request::quit:
+      quit_ = true;
+      return;
+  }
+}
+
+/// Under the first free name: teapot-1.png, teapot-2.png …
+void App::write_picture() {
+  if (viewer_.changed || coarseness_ > 1) draw_picture();
+  const std::string name = viewer_.path().empty() ? "barrido" : cli::model_name(viewer_.path());
+  std::string path;
+  for (int number = 1; path.empty() || std::filesystem::exists(path); ++number) {
+    path = name + "-" + std::to_string(number) + ".png";
+  }
+  const view::Picture& picture = viewer_.picture();
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(picture.rgba.data()), picture.rgba.size() * 4);
+  scene::write_image(path, {picture.width, picture.height, bytes, {}});
+  status_ = "wrote " + path;
+  say(status_);
+}
+
+void App::say(const std::string& line) const { cli::write_standard_output(cli::bytes_of(line + "\n")); }
+
+void App::set_title() {
+  const std::string name =
+      viewer_.path().empty() ? "" : std::filesystem::path(viewer_.path()).filename().string();
+  std::string title =
+      (name.empty() ? "" : name + " - ") + std::string(cli::name_of(viewer_.active().shadings[0]));
+  if (viewer_.display.split) {
+    title = (name.empty() ? "" : name + " - ") +
+            std::string(cli::name_of(viewer_.side(view::kLeft).shadings[0])) + " | " +
+            std::string(cli::name_of(viewer_.side(view::kRight).shadings[0]));
+  }
+  title += " - barrido-view";
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
+}
+
+}  // namespace barrido::window

@@ -1,0 +1,155 @@
+#include "viewer/barrido-view/picture_marks.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "viewer/barrido/text_format.h"
+#include "viewer/view/key_table.h"
+
+namespace barrido::window {
+namespace {
+
+struct Rectangle {
+  float x = 0, y = 0, width = 0, height = 0;  ///< Pixels
+};
+
+/// Windows over the picture that take the mouse, as they were drawn last.
+std::vector<Rectangle>& rectangles() {
+  static std::vector<Rectangle> all;
+  return all;
+}
+
+void remember_window(float pixels_per_unit) {
+  const ImVec2 place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  rectangles().push_back({place.x * pixels_per_unit, place.y * pixels_per_unit, size.x * pixels_per_unit,
+                          size.y * pixels_per_unit});
+}
+
+constexpr ImGuiWindowFlags kNote = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoInputs;
+
+void draw_help(float width, float scale, float pixels_per_unit) {
+  ImGui::SetNextWindowPos({width * 0.5f, 12.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSize({std::min(620.0f * scale, width), 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.92f);
+  ImGui::Begin("Keys", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  std::string_view section;
+  for (const view::KeyBinding& binding : view::key_table()) {
+    if (binding.name.empty()) continue;
+    if (binding.section != section)
+      ImGui::TextColored({1.0f, 0.8f, 0.3f, 1.0f}, "%s", binding.section.data());
+    section = binding.section;
+    ImGui::Text("  %s", binding.name.data());
+    ImGui::SameLine(160.0f * scale);
+    ImGui::TextUnformatted(binding.help.data());
+  }
+  remember_window(pixels_per_unit);
+  ImGui::End();
+}
+
+void draw_counters(const view::Viewer& viewer, float scale) {
+  ImGui::SetNextWindowPos({10.0f * scale, 10.0f * scale});
+  ImGui::SetNextWindowBgAlpha(0.6f);
+  ImGui::Begin("Counters", nullptr, kNote);
+  const view::Costs& costs = viewer.costs();
+  ImGui::Text("%8.2f ms   %d x %d", costs.draw_ms, viewer.picture().width, viewer.picture().height);
+  ImGui::Text("%15s triangles", cli::grouped(costs.triangles).c_str());
+  ImGui::Text("%15s fragments shaded", cli::grouped(costs.fragments).c_str());
+  ImGui::Text("%15s illuminations", cli::grouped(costs.illuminations).c_str());
+  ImGui::Text("%15s powers", cli::grouped(costs.powers).c_str());
+  ImGui::End();
+}
+
+void draw_message(const std::string& message, float width, float height, float scale) {
+  ImGui::SetNextWindowPos({10.0f * scale, height - 10.0f * scale}, ImGuiCond_Always, {0.0f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::Begin("Message", nullptr, kNote);
+  ImGui::PushTextWrapPos(std::max(width - 30.0f * scale, 100.0f));
+  ImGui::TextUnformatted(message.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+}
+
+void draw_difference(const view::Difference& difference, float width, float scale) {
+  ImGui::SetNextWindowPos({width - 10.0f * scale, 10.0f * scale}, ImGuiCond_Always, {1.0f, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.7f);
+  ImGui::Begin("Difference", nullptr, kNote);
+  ImGui::Text("largest difference %d of 255", difference.largest);
+  ImGui::Text("mean               %.4f", difference.mean);
+  ImGui::Text("pixels that differ %s", cli::grouped(difference.pixels).c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  constexpr int kSteps = 64;
+  const float step = 3.0f * scale, height = 12.0f * scale;
+  for (int i = 0; i < kSteps; ++i) {
+    const float x = corner.x + step * static_cast<float>(i);
+    ImGui::GetWindowDrawList()->AddRectFilled({x, corner.y}, {x + step, corner.y + height},
+                                              view::heat_color(i / (kSteps - 1.0)));
+  }
+  ImGui::Dummy({step * kSteps, height});
+  ImGui::Text("0%*d", 26, difference.largest);
+  ImGui::End();
+}
+
+void draw_divider(const view::Viewer& viewer, float width, float height, float scale) {
+  const auto column =
+      static_cast<float>(view::divider_column(static_cast<int>(width), viewer.display.divider));
+  ImDrawList* lines = ImGui::GetBackgroundDrawList();
+  lines->AddLine({column, 0}, {column, height}, 0xffffffffu, scale);
+  for (const int side : {view::kLeft, view::kRight}) {
+    const bool active = viewer.active_side() == side;
+    const float x = side == view::kLeft ? column - 16.0f * scale : column + 8.0f * scale;
+    lines->AddText({x, 8.0f * scale}, active ? 0xff40d0ffu : 0xffc0c0c0u, side == view::kLeft ? "A" : "B");
+  }
+}
+
+void draw_light_handles(view::Viewer& viewer, float scale, float pixels_per_unit) {
+  const scene::RenderSettings& settings = viewer.active().settings;
+  if (!settings.overlays.light_markers || settings.lights.empty()) return;
+  const std::optional<view::Look> look = viewer.look();
+  if (!look) return;
+  for (const scene::UserLight& light : settings.lights) {
+    if (light.light.kind == scene::Light::Kind::directional) continue;
+    if (light.space == scene::UserLight::Space::camera) continue;
+    const auto place = pixel_of(*look, light.position, viewer.width(), viewer.height());
+    if (!place) continue;
+    const ImVec2 center(static_cast<float>(place->first) / pixels_per_unit,
+                        static_cast<float>(place->second) / pixels_per_unit);
+    ImGui::GetBackgroundDrawList()->AddCircle(center, 8.0f * scale, 0xff40d0ffu, 0, 1.5f * scale);
+  }
+}
+
+}  // namespace
+
+void draw_marks(view::Viewer& viewer, Pointer&, float scale, float pixels_per_unit) {
+  rectangles().clear();
+  const float width = static_cast<float>(viewer.width()) / pixels_per_unit;
+  const float height = static_cast<float>(viewer.height()) / pixels_per_unit;
+  if (viewer.display.split && !viewer.display.difference) draw_divider(viewer, width, height, scale);
+  draw_light_handles(viewer, scale, pixels_per_unit);
+  if (viewer.display.counters) draw_counters(viewer, scale);
+  if (viewer.display.difference && viewer.difference()) draw_difference(*viewer.difference(), width, scale);
+  if (viewer.files().empty()) {
+    draw_message("Drop a glTF model here, or give one on the command line. H shows the keys.", width, height,
+                 scale);
+  } else if (!viewer.message.empty()) {
+    draw_message(viewer.message, width, height, scale);
+  }
+  if (viewer.display.help) draw_help(width, scale, pixels_per_unit);
+}
+
+bool is_over_marks(double x, double y) {
+  const auto& all = rectangles();
+  return std::any_of(all.begin(), all.end(), [&](const Rectangle& r) {
+    return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
+  });
+}
+
+}  // namespace barrido::window

@@ -1,0 +1,87 @@
+#include "viewer/view/model.h"
+
+#include "pipeline/scene/import_gltf.h"
+#include "pipeline/scene/light_conversion.h"
+#include "pipeline/scene/metering.h"
+#include "pipeline/scene/scene_nodes.h"
+#include "viewer/barrido/frame_plan.h"
+#include "viewer/barrido/frame_settings.h"
+#include "viewer/barrido/stopwatch.h"
+#include "viewer/view/render_words.h"
+
+namespace barrido::view {
+namespace {
+
+std::unique_ptr<const scene::Scene> load(const std::string& path) {
+  scene::ImportOptions options;
+  options.image_roles = cli::kDrawnImages;
+  return std::make_unique<const scene::Scene>(scene::import_gltf(path, options));
+}
+
+}  // namespace
+
+Model::Model(std::string path)
+    : path_(std::move(path)), scene_(load(path_)), renderer_(*scene_), caches_(*scene_) {}
+
+Model::~Model() = default;
+
+std::shared_ptr<const raster::Texture> Model::environment(const cli::RenderOptions& options) {
+  std::shared_ptr<const raster::Texture>& slot =
+      environments_[{options.environment_path, options.settings.color_management}];
+  if (!slot) slot = cli::load_environment(options);
+  return slot;
+}
+
+int Model::camera_count(const cli::RenderOptions& options) const {
+  const int root = scene::resolve_scene_index(*scene_, options.settings.scene_index);
+  return static_cast<int>(scene::camera_nodes(*scene_, scene::nodes_of_scene(*scene_, root)).size());
+}
+
+scene::RenderSettings Model::settings_for(const cli::RenderOptions& wanted) {
+  const cli::RenderOptions options = cli::parse_view_options(words_of(wanted));
+  scene::RenderSettings settings = cli::resolved_settings(options);
+  if (!options.environment_path.empty()) {
+    settings.environment = environment(options);
+  }
+  const cli::FileFacts facts{path_, camera_count(options), static_cast<int>(scene_->animations.size())};
+  return cli::settings_of(settings, cli::plan_frames(options, facts).at(0));
+}
+
+DrawnFrame Model::draw(const cli::RenderOptions& options) {
+  const cli::Stopwatch watch;
+  pipeline::Statistics counts;
+  raster::Framebuffer framebuffer = renderer_.render(settings_for(options), &counts);
+  return {std::move(framebuffer), counts, watch.milliseconds()};
+}
+
+Look Model::look(const cli::RenderOptions& options) {
+  const scene::RenderSettings settings = settings_for(options);
+  const scene::PosedScene posed = scene::pose_scene(*scene_, settings, caches_);
+  Look look;
+  look.bounds = posed.bounds.sphere;
+  look.eye = scene::choose_eye(*scene_, posed.nodes, posed.pose, posed.bounds, settings);
+  look.view = scene::choose_view(*scene_, posed, settings);
+  return look;
+}
+
+std::vector<pipeline::Light> Model::lights(const cli::RenderOptions& options) {
+  scene::RenderSettings settings = settings_for(options);
+  settings.lights_off.clear();
+  const scene::PosedScene posed = scene::pose_scene(*scene_, settings, caches_);
+  const scene::View view = scene::choose_view(*scene_, posed, settings);
+  const float scale =
+      scene::physical_light_scale(*scene_, posed.nodes, scene::pose_at(*scene_, scene::kNone, 0.0));
+  std::vector<std::string> warnings;
+  return scene::choose_lights(*scene_, posed.nodes, posed.scene_index, posed.pose, settings,
+                              view.eye_from_world, scale, warnings)
+      .lights;
+}
+
+double Model::duration_s(int animation) const {
+  const auto index = static_cast<std::size_t>(animation);
+  return animation >= 0 && index < scene_->animations.size() ? scene_->animations[index].duration_s : 0.0;
+}
+
+std::vector<std::string> Model::warnings() const { return renderer_.warnings(); }
+
+}  // namespace barrido::view

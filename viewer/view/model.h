@@ -1,0 +1,71 @@
+// A model that is open: its file as a scene, and pictures of it for the options of `barrido render`, by the
+// same way as that command. Knows no window and no keys.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/frame.h"
+#include "pipeline/scene/render_scene.h"
+#include "pipeline/scene/view.h"
+#include "viewer/barrido/render_options.h"
+
+namespace barrido::view {
+
+/// Where the eye is and what it looks at.
+struct Look {
+  scene::Eye eye;
+  scene::Sphere bounds;
+  scene::View view;
+};
+
+/// A picture with what it cost.
+struct DrawnFrame {
+  raster::Framebuffer framebuffer;
+  pipeline::Statistics counts;
+  double draw_ms = 0.0;
+};
+
+class Model {
+ public:
+  /// @throws scene::InputError when the file cannot be read.
+  explicit Model(std::string path);
+  ~Model();
+
+  const std::string& path() const { return path_; }
+  const scene::Scene& scene() const { return *scene_; }
+
+  /// The picture that `barrido render` makes with these options: they are written as a command line, and that
+  /// is read and drawn. @throws UsageError, scene::InputError.
+  DrawnFrame draw(const cli::RenderOptions& options);
+
+  /// What the renderer is given for these options. @throws as draw.
+  scene::RenderSettings settings_for(const cli::RenderOptions& options);
+
+  /// @throws as draw.
+  Look look(const cli::RenderOptions& options);
+
+  /// The lights of the frame in world space, those switched off too; no ambient light. @throws as draw.
+  std::vector<pipeline::Light> lights(const cli::RenderOptions& options);
+
+  /// Seconds; 0 when there is no such animation.
+  double duration_s(int animation) const;
+  int camera_count(const cli::RenderOptions& options) const;
+  std::vector<std::string> warnings() const;
+
+ private:
+  std::shared_ptr<const raster::Texture> environment(const cli::RenderOptions& options);
+
+  std::string path_;
+  std::unique_ptr<const scene::Scene> scene_;
+  scene::SceneRenderer renderer_;
+  scene::SceneCaches caches_;  ///< For looking; the renderer has its own.
+  /// Never thrown away while the renderer lives: it knows environments by their address.
+  std::map<std::pair<std::string, scene::ColorManagement>, std::shared_ptr<const raster::Texture>>
+      environments_;
+};
+
+}  // namespace barrido::view

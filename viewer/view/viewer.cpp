@@ -1,0 +1,248 @@
+#include "viewer/view/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "raster/primitive.h"
+#include "viewer/barrido/frame_plan.h"
+#include "viewer/view/render_words.h"
+
+namespace barrido::view {
+namespace {
+
+/// One picture's worth of options: what makes several frames, or writes them, has no place in a window.
+cli::RenderOptions of_one_picture(cli::RenderOptions options) {
+  options.shadings = {options.shadings.at(0)};
+  options.files.clear();
+  options.output.clear();
+  options.settings_path.clear();
+  if (options.all_cameras) options.cameras = {0};
+  if (options.cameras.size() > 1) options.cameras = {options.cameras[0]};
+  options.all_cameras = false;
+  options.turntable = 0;
+  options.frames.reset();
+  return options;
+}
+
+glm::dvec3 upright_of(const cli::RenderOptions& options) {
+  return scene::unit_or(glm::dvec3(options.settings.camera.up), {0, 1, 0});
+}
+
+void add(Costs& sum, const DrawnFrame& frame) {
+  sum.draw_ms += frame.draw_ms;
+  sum.triangles += frame.counts.primitives_in;
+  sum.fragments += frame.counts.raster.fragments_shaded;
+  sum.illuminations += frame.counts.illuminations_vertex + frame.counts.illuminations_fragment;
+  sum.powers += frame.counts.powers;
+}
+
+}  // namespace
+
+Viewer::Viewer(cli::RenderOptions options) : initial_(of_one_picture(std::move(options))) {
+  sides_.fill(initial_);
+  environment_given_ = initial_.environment_path;
+}
+
+void Viewer::set_environment(const std::string& path) {
+  environment_given_ = active().environment_path = path;
+  active().settings.dynamic_environment = false;
+  changed = true;
+}
+
+void Viewer::open(std::vector<std::string> files) {
+  files_ = std::move(files);
+  file_ = 0;
+  if (!files_.empty()) load(files_[0]);
+}
+
+const std::string& Viewer::path() const {
+  static const std::string kNothing;
+  return files_.empty() ? kNothing : files_[file_];
+}
+
+void Viewer::load(const std::string& path) {
+  changed = true;
+  try {
+    auto model = std::make_unique<Model>(path);
+    model_ = std::move(model);
+    message = model_->scene().warnings.empty() ? "" : model_->scene().warnings.front();
+  } catch (const std::exception& error) {
+    message = error.what();
+  }
+}
+
+void Viewer::step_file(int step) {
+  if (files_.size() < 2) return;
+  const auto count = static_cast<int>(files_.size());
+  file_ = static_cast<std::size_t>((static_cast<int>(file_) + step % count + count) % count);
+  model_.reset();
+  playing_ = false;
+  for (cli::RenderOptions& options : sides_) {
+    options.time_s = initial_.time_s;
+    options.animation = initial_.animation;
+  }
+  reset_camera();
+  load(path());
+}
+
+void Viewer::reload() {
+  if (!files_.empty()) load(path());
+}
+
+void Viewer::set_split(bool on) {
+  if (on && !display.split) sides_[active_side_ == kLeft ? kRight : kLeft] = active();
+  // What was seen last stays.
+  if (!on && display.split) sides_[kLeft] = active();
+  if (!on) active_side_ = kLeft;
+  display.split = on;
+  if (!on) display.difference = false;
+  changed = true;
+}
+
+std::vector<std::string> Viewer::words_of_side(int side) const {
+  return words_of(sides_[static_cast<std::size_t>(side)]);
+}
+
+std::string Viewer::command_line(int side) const {
+  std::vector<std::string> words{"barrido", "render"};
+  const std::vector<std::string> options = words_of_side(side);
+  words.insert(words.end(), options.begin(), options.end());
+  if (!files_.empty()) {
+    words.insert(words.end(), {"-o", cli::model_name(path()) + ".png", "--", path()});
+  }
+  return shell_line(words);
+}
+
+void Viewer::load_settings(const std::string& path) {
+  const std::vector<std::string> words{"--settings", path};
+  cli::RenderOptions loaded = of_one_picture(cli::parse_view_options(words));
+  loaded.settings.width = width();
+  loaded.settings.height = height();
+  active() = loaded;
+  sides_[active_side_ == kLeft ? kRight : kLeft].settings.camera = loaded.settings.camera;
+  changed = true;
+}
+
+std::optional<Look> Viewer::look() {
+  if (!model_) return std::nullopt;
+  try {
+    return model_->look(active());
+  } catch (const std::exception& error) {
+    message = error.what();
+    return std::nullopt;
+  }
+}
+
+template <class Move>
+void Viewer::move_camera(const Move& move) {
+  std::optional<Look> now = look();
+  if (!now) return;
+  move(now->eye, now->bounds);
+  for (cli::RenderOptions& options : sides_) {
+    options.cameras.clear();
+    set_camera(options.settings.camera, now->eye);
+  }
+  changed = true;
+}
+
+void Viewer::orbit(double right_deg, double up_deg) {
+  move_camera([&](scene::Eye& eye, const scene::Sphere&) {
+    view::orbit(eye, upright_of(active()), right_deg, up_deg);
+  });
+}
+
+void Viewer::pan(double right, double up) {
+  move_camera([&](scene::Eye& eye, const scene::Sphere&) { view::pan(eye, right, up); });
+}
+
+void Viewer::zoom(double factor) {
+  move_camera([&](scene::Eye& eye, const scene::Sphere&) { view::zoom(eye, factor); });
+}
+
+void Viewer::roll(double degrees) {
+  move_camera([&](scene::Eye& eye, const scene::Sphere&) { view::roll(eye, degrees); });
+}
+
+void Viewer::look_from(StandardView side) {
+  move_camera([&](scene::Eye& eye, const scene::Sphere& bounds) {
+    view::look_from(eye, side, bounds, upright_of(active()), static_cast<double>(width()) / height());
+  });
+}
+
+void Viewer::toggle_orthographic() {
+  move_camera([&](scene::Eye& eye, const scene::Sphere&) { view::toggle_orthographic(eye); });
+}
+
+void Viewer::reset_camera() {
+  for (cli::RenderOptions& options : sides_) {
+    options.settings.camera = initial_.settings.camera;
+    options.cameras = initial_.cameras;
+  }
+  changed = true;
+}
+
+void Viewer::toggle_playing() {
+  playing_ = !playing_ && model_ && !model_->scene().animations.empty();
+  if (model_ && model_->scene().animations.empty()) message = "the file has no animation";
+}
+
+void Viewer::advance(double seconds) {
+  if (!model_) return;
+  const double duration_s = model_->duration_s(active().animation.value_or(0));
+  if (duration_s <= 0.0) return;
+  double time_s = active().time_s.value_or(0.0) + seconds;
+  time_s -= std::floor(time_s / duration_s) * duration_s;
+  for (cli::RenderOptions& options : sides_) options.time_s = std::clamp(time_s, 0.0, duration_s);
+  changed = true;
+}
+
+void Viewer::set_size(int width, int height) {
+  const int w = std::clamp(width, 1, raster::kMaxFrameSide), h = std::clamp(height, 1, raster::kMaxFrameSide);
+  if (w == this->width() && h == this->height()) return;
+  for (cli::RenderOptions& options : sides_) {
+    options.settings.width = w;
+    options.settings.height = h;
+  }
+  changed = true;
+}
+
+Picture Viewer::blank(int coarseness) const {
+  constexpr std::uint32_t kDarkGrey = 0xff333333u;
+  const int w = std::max(1, width() / coarseness), h = std::max(1, height() / coarseness);
+  return {w, h,
+          std::vector<std::uint32_t>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kDarkGrey)};
+}
+
+Picture Viewer::draw_side(int side, int coarseness) {
+  if (!model_) return blank(coarseness);
+  cli::RenderOptions options = sides_[static_cast<std::size_t>(side)];
+  options.settings.width = std::max(1, options.settings.width / coarseness);
+  options.settings.height = std::max(1, options.settings.height / coarseness);
+  try {
+    DrawnFrame frame = model_->draw(options);
+    add(costs_, frame);
+    return {frame.framebuffer.width(), frame.framebuffer.height(), std::move(frame.framebuffer.color8())};
+  } catch (const std::exception& error) {
+    message = error.what();
+    return blank(coarseness);
+  }
+}
+
+const Picture& Viewer::draw(int coarseness) {
+  costs_ = {};
+  difference_.reset();
+  changed = false;
+  if (!display.split) {
+    picture_ = draw_side(active_side_, coarseness);
+    return picture_;
+  }
+  const Picture left = draw_side(kLeft, coarseness);
+  const Picture right = draw_side(kRight, coarseness);
+  difference_ = difference_of(left, right);
+  picture_ =
+      display.difference ? heat_map(left, right, *difference_) : side_by_side(left, right, display.divider);
+  return picture_;
+}
+
+}  // namespace barrido::view
