@@ -6,6 +6,7 @@ usage: random_walk.py PROGRAM_FOLDER PROJECT_FOLDER [--seconds N] [--seed N]
 
 import argparse
 import pathlib
+import queue
 import random
 import sys
 import tempfile
@@ -15,11 +16,12 @@ import display
 from viewer_program import ViewerProgram
 
 # Keys with how often; Escape would quit.
-KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d a 1 3 5 7 9 Return Up Left Right space z h "
+KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d a p 1 3 5 7 9 Return Up Left Right space z h "
         "Tab c ctrl+1 ctrl+2 ctrl+3 ctrl+8 ctrl+s ctrl+o F12").split()
 MODELS = ["showcase.glb", "room.glb", "checker_ground.glb", "lost_highlight.glb", "torus.glb"]
 SIZES = [(640, 400), (333, 517), (1000, 700), (200, 120)]
 CHECK_EVERY = 40
+ATTEMPTS = 3
 
 
 class Walk:
@@ -46,15 +48,30 @@ class Walk:
             screen.xdotool("windowsize", self.program.window, *chance.choice(SIZES))
 
     def alive(self) -> None:
-        """Everything sent has been seen; raises when the program has ended."""
-        self.program.screen.xdotool("mousemove", 20, 20)
-        self.program.key("c")
-        self.program.wait_for_line("barrido render")
+        """Everything sent has been seen; raises AssertionError when the program has ended or hangs."""
+        for _ in range(ATTEMPTS):
+            # A click takes the keyboard away from a field of the panel.
+            self.program.screen.xdotool("mousemove", 20, 20, "click", 1)
+            self.program.key("c")
+            try:
+                self.program.wait_for_line("barrido render")
+                return
+            except queue.Empty:
+                continue
+        raise AssertionError("it does not answer any more")
 
 
 def walk(programs: pathlib.Path, project: pathlib.Path, seconds: float, seed: int) -> int:
     screen = display.Display()
-    folder = pathlib.Path(tempfile.mkdtemp(prefix="barrido-walk-"))
+    with tempfile.TemporaryDirectory(prefix="barrido-walk-") as folder:
+        try:
+            return walk_in(pathlib.Path(folder), screen, programs, project, seconds, seed)
+        finally:
+            screen.close()
+
+
+def walk_in(folder: pathlib.Path, screen: display.Display, programs: pathlib.Path, project: pathlib.Path,
+            seconds: float, seed: int) -> int:
     words = [str(project / "models" / name) for name in MODELS]
     program = ViewerProgram(screen, programs, folder,
                             ["--resolution", "320,400", "--environment", str(project / "models" / "sky"), *words])
@@ -74,7 +91,6 @@ def walk(programs: pathlib.Path, project: pathlib.Path, seconds: float, seed: in
     finally:
         errors = program.error_text()
         program.stop()
-        screen.close()
     print(f"{steps} steps in {seconds:g} s, {program.frames} pictures, seed {seed}")
     if errors:
         print(f"it said: {errors}")

@@ -11,6 +11,7 @@ import threading
 import time
 
 import display
+import png
 
 DEADLINE_S = 60.0
 FRAME = re.compile(r"frame (\d+) drawn (\d+)x(\d+)( coarse)?")
@@ -102,6 +103,24 @@ class ViewerProgram:
         result = subprocess.run([self.programs / "barrido", *without_output], cwd=self.folder, capture_output=True,
                                 text=True, timeout=600, check=True)
         return result.stdout.split()[0]
+
+    def rendered_picture(self) -> bytes:
+        """RGBA of what the copied command line draws."""
+        words = self.command_line()
+        subprocess.run([self.programs / "barrido", *words[1:]], cwd=self.folder, timeout=600, check=True)
+        return png.read(self.folder / words[words.index("-o") + 1])[2]
+
+    def settled_pixels(self) -> bytes:
+        """The picture on the screen once it stands still."""
+        self.screen.xdotool("mousemove", *self.screen.corner)
+        words = self.command_line()
+        deadline = time.monotonic() + DEADLINE_S
+        pixels, unchanged = b"", 0
+        while unchanged < 3 and time.monotonic() < deadline:
+            before, pixels = pixels, self.shown(words)[2]
+            unchanged = unchanged + 1 if pixels == before else 0
+            time.sleep(0.1)
+        return pixels
 
     def shown(self, words: list[str]) -> tuple[int, int, bytes]:
         width, height = map(int, words[words.index("--resolution") + 1].split(","))

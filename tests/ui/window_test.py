@@ -175,13 +175,46 @@ class WindowTest(unittest.TestCase):
         return "view.json"
 
     def test_split(self):
-        program = self.start(MODELS / "lost_highlight.glb", "--color-management", "none", "--no-textures")
+        program = self.start(MODELS / "lost_highlight.glb", "--color-management", "none")
         program.draw_key("d")
         program.draw_key("s")
-        left = program.command_line()
+        left = program.rendered_picture()
         program.key("a")
-        right = program.command_line()
+        right = program.rendered_picture()
         self.assertNotEqual(left, right)
+        self.expect_split(program, left, right, 160)
+        program.drag(1, (160, 50), (80, 60))
+        program.wait_for_frame()
+        self.expect_split(program, left, right, 80)
+        # The heat map is black where the two are the same, and somewhere it is not.
+        program.draw_key("shift+d")
+        shown = program.settled_pixels()
+        same = [i for i in range(0, len(left), 4) if left[i:i + 3] == right[i:i + 3] and i // 4 // 320 > 120]
+        self.assertTrue(all(shown[i:i + 3] == bytes(3) for i in same))
+        self.assertIn(b"\xff\xff\xff", [shown[i:i + 3] for i in range(0, len(shown), 4)])
+        program.close()
+
+    def expect_split(self, program: ViewerProgram, left: bytes, right: bytes, column: int) -> None:
+        """Away from the divider with its letters, both sides show their own picture."""
+        shown = program.settled_pixels()
+        for row in range(30, 240):
+            begin, middle, end = row * 320 * 4, (row * 320 + column) * 4, (row + 1) * 320 * 4
+            self.assertEqual(shown[begin:middle - 8], left[begin:middle - 8], f"row {row}")
+            self.assertEqual(shown[middle + 8:end], right[middle + 8:end], f"row {row}")
+
+    def test_light_is_dragged(self):
+        program = self.start(MODELS / "sphere.glb", "--light", "point:pos=0,0,3", "--light-markers",
+                             "--camera-position", "0,0,10", "--camera-focal-point", "0,0,0")
+        program.drag(1, (160, 120), (190, 100))
+        words = program.command_line()
+        light = words[words.index("--light") + 1]
+        place = light.split("pos=")[1].split(":")[0]
+        x, y, z = map(float, place.split(","))
+        # 240 pixels are 2·7·tan(15°) of the plane through the light.
+        unit = 2 * 7 * 0.2679492 / 240
+        self.assertAlmostEqual(x, 30 * unit, 4)
+        self.assertAlmostEqual(y, 20 * unit, 4)
+        self.assertAlmostEqual(z, 3.0, 4)
         program.close()
 
     def test_no_display(self):

@@ -97,6 +97,7 @@ void App::step() {
   playing_since_ = now;
   fit_picture();
   if (viewer_.changed || (coarseness_ > 1 && !pointer_.dragging())) draw_picture();
+  inspect();
   if (shows_ > 0) show();
   answer_requests();
 }
@@ -119,6 +120,7 @@ void App::draw_picture() {
   const int wanted = static_cast<int>(std::ceil(std::sqrt(full_ms_ / kSmoothMs)));
   coarseness_ = hurry ? std::clamp(wanted, 2, kCoarsest) : 1;
   const view::Picture& picture = viewer_.draw(coarseness_);
+  inspected_.reset();  // The picture is another now.
   if (coarseness_ == 1) full_ms_ = viewer_.costs().draw_ms;
   quad_.set_picture(picture);
   ++frames_;
@@ -127,6 +129,24 @@ void App::draw_picture() {
             std::to_string(picture.height) + (coarseness_ > 1 ? " coarse" : "") + " in " +
             cli::fixed(viewer_.costs().draw_ms, 1) + " ms";
   set_title();
+}
+
+/// Where the pointer rests, or the pixel held by a click; a click on the story's pixel lets it go.
+void App::inspect() {
+  const auto click = pointer_.take_click();
+  if (!viewer_.display.inspector) {
+    held_.reset();
+    inspected_.reset();
+    return;
+  }
+  if (click) held_ = held_ ? std::nullopt : click;
+  const std::pair place =
+      held_.value_or(std::pair{static_cast<int>(pointer_.x()), static_cast<int>(pointer_.y())});
+  const bool in_sight = held_ || is_over_picture(pointer_.x(), pointer_.y());
+  if (inspected_ == place || !in_sight || pointer_.dragging() || coarseness_ > 1) return;
+  inspected_ = place;
+  viewer_.inspect(place.first, place.second);
+  on_anything();
 }
 
 void App::show() {

@@ -40,6 +40,7 @@ class App : private Events {
   void watch_file();
   void write_picture();
   void say(const std::string& line) const;
+  void inspect();
   bool is_over_picture(double x, double y) const;
   float panel_pixels() const;
   void set_title();
@@ -60,6 +61,8 @@ class App : private Events {
   int frames_ = 0;        ///< Pictures drawn.
   int shows_ = 3;         ///< How often the window must still be shown: ImGui needs some to settle.
   std::string report_;    ///< Told when the picture is on the screen.
+  std::optional<std::pair<int, int>> held_;       ///< The pixel that was clicked.
+  std::optional<std::pair<int, int>> inspected_;  ///< The one whose story is told.
   bool quit_ = false;
 };
 

@@ -110,6 +110,40 @@ void draw_divider(const view::Viewer& viewer, float width, float height, float s
   }
 }
 
+/// The font has no Greek.
+std::string plain(const std::string& text) {
+  std::string result = text;
+  const std::pair<std::string, std::string> replacements[] = {{"Σ", "sum"}, {"λ", "lambda"}};
+  for (const auto& [from, to] : replacements) {
+    for (std::size_t at = result.find(from); at != std::string::npos; at = result.find(from, at)) {
+      result.replace(at, from.size(), to);
+    }
+  }
+  return result;
+}
+
+void draw_story(const view::Inspected& pixel, float width, float height, float scale, float pixels_per_unit) {
+  const ImVec2 size(std::min(760.0f * scale, width * 0.8f), std::min(420.0f * scale, height * 0.6f));
+  ImGui::SetNextWindowPos({width - size.x - 10.0f * scale, height - size.y - 10.0f * scale},
+                          ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowBgAlpha(0.9f);
+  ImGui::Begin("Pixel", nullptr,
+               ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const ImVec4 color(static_cast<float>(pixel.rgba[0]) / 255.0f, static_cast<float>(pixel.rgba[1]) / 255.0f,
+                     static_cast<float>(pixel.rgba[2]) / 255.0f, 1.0f);
+  ImGui::ColorButton("colour", color, ImGuiColorEditFlags_NoTooltip);
+  ImGui::SameLine();
+  ImGui::Text("%d %d %d at %d,%d", pixel.rgba[0], pixel.rgba[1], pixel.rgba[2], pixel.x, pixel.y);
+  ImGui::TextUnformatted(plain(pixel.text).c_str());
+  remember_window(pixels_per_unit);
+  ImGui::End();
+  const float x = (static_cast<float>(pixel.x) + 0.5f) / pixels_per_unit;
+  const float y = (static_cast<float>(pixel.y) + 0.5f) / pixels_per_unit;
+  ImGui::GetBackgroundDrawList()->AddCircle({x, y}, 5.0f * scale, 0xff40d0ffu, 0, scale);
+}
+
 void draw_light_handles(view::Viewer& viewer, float scale, float pixels_per_unit) {
   const scene::RenderSettings& settings = viewer.active().settings;
   if (!settings.overlays.light_markers || settings.lights.empty()) return;
@@ -136,6 +170,9 @@ void draw_marks(view::Viewer& viewer, Pointer&, float scale, float pixels_per_un
   draw_light_handles(viewer, scale, pixels_per_unit);
   if (viewer.display.counters) draw_counters(viewer, scale);
   if (viewer.display.difference && viewer.difference()) draw_difference(*viewer.difference(), width, scale);
+  if (viewer.display.inspector && viewer.inspected()) {
+    draw_story(*viewer.inspected(), width, height, scale, pixels_per_unit);
+  }
   if (viewer.files().empty()) {
     draw_message("Drop a glTF model here, or give one on the command line. H shows the keys.", width, height,
                  scale);

@@ -26,6 +26,7 @@ class RenderCall {
   int run();
 
  private:
+  void resolve_settings();
   void load_environment();
   bool render_file(const std::string& path);
   std::vector<PlannedFrame> plan(const scene::Scene& scene, const std::string& path) const;

@@ -32,8 +32,7 @@ constexpr KeyBinding kMouse[] = {
     {"Mouse", Key::none, 0, "Shift+left, middle", "pan"},
     {"Mouse", Key::none, 0, "Wheel, right drag", "zoom"},
     {"Mouse", Key::none, 0, "Ctrl+left drag", "roll"},
-    {"Mouse", Key::none, 0, "Click",
-     "split view: choose the side that keys change; inspector: hold the pixel"},
+    {"Mouse", Key::none, 0, "Click", "split view: keys change this side; inspector: hold the pixel"},
     {"Mouse", Key::none, 0, "Drop", "open models; a picture or a folder becomes the environment"},
 };
 
@@ -121,6 +120,8 @@ constexpr KeyBinding kCompare[] = {
     {"Compare", key_of('D'), kNoModifier, "D", "split view: drag the divider",
      [](Viewer& v) { v.set_split(!v.display.split); }},
     {"Compare", key_of('D'), kShift, "Shift+D", "heat map of the two sides' difference", toggle_difference},
+    {"Compare", key_of('P'), kNoModifier, "P", "inspector: why the pixel at the pointer looks as it does",
+     [](Viewer& v) { v.display.inspector = !v.display.inspector; }},
     {"Compare", key_of('A'), kNoModifier, "A", "keys change the other side",
      [](Viewer& v) {
        if (v.display.split) v.set_active_side(1 - v.active_side());

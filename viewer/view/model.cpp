@@ -54,6 +54,10 @@ DrawnFrame Model::draw(const cli::RenderOptions& options) {
   return {std::move(framebuffer), counts, watch.milliseconds()};
 }
 
+inspect::PixelStory Model::inspect(const cli::RenderOptions& options, int x, int y) {
+  return inspect::inspect_pixel(*scene_, renderer_, settings_for(options), x, y);
+}
+
 Look Model::look(const cli::RenderOptions& options) {
   const scene::RenderSettings settings = settings_for(options);
   const scene::PosedScene posed = scene::pose_scene(*scene_, settings, caches_);

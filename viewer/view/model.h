@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/frame.h"
 #include "pipeline/scene/render_scene.h"
 #include "pipeline/scene/view.h"
@@ -44,6 +45,9 @@ class Model {
 
   /// What the renderer is given for these options. @throws as draw.
   scene::RenderSettings settings_for(const cli::RenderOptions& options);
+
+  /// Why pixel (x, y), y from the top row, looks as it does. @throws as draw.
+  inspect::PixelStory inspect(const cli::RenderOptions& options, int x, int y);
 
   /// @throws as draw.
   Look look(const cli::RenderOptions& options);

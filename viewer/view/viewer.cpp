@@ -229,6 +229,21 @@ Picture Viewer::draw_side(int side, int coarseness) {
   }
 }
 
+void Viewer::inspect(int x, int y) {
+  inspected_.reset();
+  if (!model_ || x < 0 || y < 0 || x >= width() || y >= height()) return;
+  int side = active_side_;
+  if (display.split && !display.difference) {
+    side = x < divider_column(width(), display.divider) ? kLeft : kRight;
+  }
+  try {
+    const inspect::PixelStory story = model_->inspect(sides_[static_cast<std::size_t>(side)], x, y);
+    inspected_ = {x, y, side, story.rgba8, inspect::story_text(story)};
+  } catch (const std::exception& error) {
+    inspected_ = {x, y, side, {}, error.what()};
+  }
+}
+
 const Picture& Viewer::draw(int coarseness) {
   costs_ = {};
   difference_.reset();

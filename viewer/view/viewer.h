@@ -17,6 +17,9 @@ namespace barrido::view {
 /// What a command asks of the window.
 enum class Request { copy_command_line, write_picture, save_settings, load_settings, quit };
 
+inline constexpr int kLeft = 0;
+inline constexpr int kRight = 1;
+
 /// What is shown around the picture, and how pictures are put together.
 struct Display {
   bool panel = true;
@@ -28,8 +31,13 @@ struct Display {
   double divider = 0.5;     ///< Part of the width, 0..1
 };
 
-inline constexpr int kLeft = 0;
-inline constexpr int kRight = 1;
+/// A pixel of the picture and why it looks as it does.
+struct Inspected {
+  int x = 0, y = 0;  ///< From the upper left corner.
+  int side = kLeft;
+  std::array<std::uint8_t, 4> rgba{};
+  std::string text;
+};
 
 class Viewer {
  public:
@@ -92,6 +100,10 @@ class Viewer {
   /// picture of the background's colour.
   const Picture& draw(int coarseness = 1);
   const Picture& picture() const { return picture_; }
+  /// Tells the story of a pixel of the side that is seen there; outside the picture there is none.
+  void inspect(int x, int y);
+  const std::optional<Inspected>& inspected() const { return inspected_; }
+
   /// What the last picture cost, both sides together.
   const Costs& costs() const { return costs_; }
   const std::optional<Difference>& difference() const { return difference_; }
@@ -120,6 +132,7 @@ class Viewer {
   Picture picture_;
   Costs costs_;
   std::optional<Difference> difference_;
+  std::optional<Inspected> inspected_;
 };
 
 }  // namespace barrido::view

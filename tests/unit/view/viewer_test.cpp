@@ -106,6 +106,27 @@ TEST(Viewer, AMoveOfNothingKeepsThePicture) {
   }
 }
 
+TEST(Viewer, TheInspectorTellsOfThePixelThatIsSeen) {
+  Viewer viewer(small());
+  viewer.open({kModels + "showcase.glb"});
+  viewer.set_split(true);
+  viewer.side(kRight).shadings = {pipeline::ShadeModel::flat};
+  const Picture picture = viewer.draw();
+  for (int y = 3; y < 60; y += 9) {
+    for (int x = 1; x < 80; x += 13) {
+      viewer.inspect(x, y);
+      ASSERT_TRUE(viewer.inspected());
+      const auto& [r, g, b, a] = viewer.inspected()->rgba;
+      EXPECT_EQ(picture.rgba[static_cast<std::size_t>(y * 80 + x)],
+                r | g << 8 | b << 16 | static_cast<std::uint32_t>(a) << 24)
+          << x << "," << y;
+      EXPECT_FALSE(viewer.inspected()->text.empty());
+    }
+  }
+  viewer.inspect(80, 0);
+  EXPECT_FALSE(viewer.inspected());
+}
+
 TEST(Viewer, CoarsePicturesAreSmaller) {
   Viewer viewer(small());
   viewer.open({kModels + "torus.glb"});
