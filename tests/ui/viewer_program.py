@@ -124,6 +124,8 @@ class ViewerProgram:
 
     def shown(self, words: list[str]) -> tuple[int, int, bytes]:
         width, height = map(int, words[words.index("--resolution") + 1].split(","))
+        if "--view" in words:
+            height = self.frame.height  # With the legend.
         return width, height, self.screen.pixels(width, height)
 
     def expect_equal_pixels(self, what: str) -> None:

@@ -70,6 +70,19 @@ class WindowTest(unittest.TestCase):
             program.expect_equal_pixels("+".join(keys))
         program.close()
 
+    def test_views(self):
+        program = self.start(MODELS / "checker_square.glb")
+        seen = []
+        for _ in range(10):
+            program.draw_key("v")
+            program.expect_equal_pixels("view")
+            words = program.command_line()
+            seen.append(words[words.index("--view") + 1])
+        self.assertEqual(len(set(seen)), 10)
+        program.draw_key("v")
+        self.assertNotIn("--view", program.command_line())
+        program.close()
+
     def test_drags(self):
         program = self.start(MODELS / "room.glb")
         program.drag(1, (160, 120), (200, 90))

@@ -155,7 +155,8 @@ void App::show() {
   glViewport(0, 0, size.width, size.height);
   glClearColor(0.1f, 0.1f, 0.1f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  quad_.draw(0, 0, viewer_.width(), viewer_.height());
+  const int height = viewer_.height() + viewer_.legend_height();
+  quad_.draw(0, size.height - height, viewer_.width(), height);
   window_.begin_panel();
   if (panel_pixels() > 0.0f) draw_panel(viewer_, status_, window_.scale());
   draw_marks(viewer_, pointer_, window_.scale(), window_.pixels_per_unit());

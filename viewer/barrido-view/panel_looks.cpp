@@ -3,11 +3,28 @@
 #include "viewer/view/commands.h"
 
 namespace barrido::window {
+namespace {
+
+/// Of "picture" and all views.
+const std::array<const char*, inspect::kStructureViewCount + 1>& view_names() {
+  static const auto names = [] {
+    std::array<const char*, inspect::kStructureViewCount + 1> all{"picture"};
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      all[i] = inspect::name_of(static_cast<inspect::StructureView>(i - 1)).data();
+    }
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace
 
 bool draw_shading(cli::RenderOptions& options) {
   scene::RenderSettings& s = options.settings;
-  bool changed =
-      choose("shading", options.shadings[0], std::array{"flat", "Gouraud", "cheap Phong", "Phong"});
+  bool changed = choose("shows", options.views[0], view_names());
+  if (options.views[0])
+    ImGui::TextWrapped("%s", std::string(inspect::description_of(*options.views[0])).c_str());
+  changed |= choose("shading", options.shadings[0], std::array{"flat", "Gouraud", "cheap Phong", "Phong"});
   changed |= choose("highlights", s.lighting, std::array{"N·H (Blinn)", "R·V (Phong)"});
   changed |= choose("flat, lit at", s.flat_at, std::array{"provoking vertex", "centroid"});
   changed |= choose("cheap, power at", s.cheap_phong_power, std::array{"pixel", "vertex"});

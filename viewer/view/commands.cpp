@@ -81,6 +81,10 @@ void step_shading(cli::RenderOptions& options, int step) {
                                                           pipeline::kShadeModelCount);
 }
 
+void step_view(cli::RenderOptions& options, int step) {
+  step_optional(options.views.at(0), inspect::kStructureViewCount, step);
+}
+
 void step_min_filter(cli::RenderOptions& options, int step) {
   step_optional(options.settings.min_filter, 6, step);
 }

@@ -8,6 +8,9 @@ namespace barrido::view {
 /// The next (step 1) or previous (step −1) shading mode, round.
 void step_shading(cli::RenderOptions& options, int step);
 
+/// The picture, then each view of what it costs and is made of, round.
+void step_view(cli::RenderOptions& options, int step);
+
 /// The file's, then each filter in OpenGL's order, round.
 void step_min_filter(cli::RenderOptions& options, int step);
 void step_mag_filter(cli::RenderOptions& options, int step);

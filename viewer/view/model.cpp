@@ -50,7 +50,10 @@ scene::RenderSettings Model::settings_for(const cli::RenderOptions& wanted) {
 DrawnFrame Model::draw(const cli::RenderOptions& options) {
   const cli::Stopwatch watch;
   pipeline::Statistics counts;
-  raster::Framebuffer framebuffer = renderer_.render(settings_for(options), &counts);
+  const scene::RenderSettings settings = settings_for(options);
+  const std::optional<inspect::StructureView>& view = options.views.at(0);
+  raster::Framebuffer framebuffer = view ? inspect::draw_view(renderer_, settings, *view)
+                                         : renderer_.render(settings, &counts);
   return {std::move(framebuffer), counts, watch.milliseconds()};
 }
 

@@ -26,7 +26,7 @@ struct Look {
 /// A picture with what it cost.
 struct DrawnFrame {
   raster::Framebuffer framebuffer;
-  pipeline::Statistics counts;
+  pipeline::Statistics counts;  ///< All 0 for a view.
   double draw_ms = 0.0;
 };
 
@@ -40,7 +40,7 @@ class Model {
   const scene::Scene& scene() const { return *scene_; }
 
   /// The picture that `barrido render` makes with these options: they are written as a command line, and that
-  /// is read and drawn. @throws UsageError, scene::InputError.
+  /// is read and drawn. A view stands on its legend. @throws UsageError, scene::InputError.
   DrawnFrame draw(const cli::RenderOptions& options);
 
   /// What the renderer is given for these options. @throws as draw.

@@ -167,6 +167,8 @@ std::string quoted(const std::string& word) {
 
 std::vector<std::string> words_of(const RenderOptions& options) {
   WordWriter out;
+  const std::optional<inspect::StructureView>& view = options.views.at(0);
+  if (view) out.value("--view", std::string(inspect::name_of(*view)));
   out.value("--resolution",
             std::to_string(options.settings.width) + "," + std::to_string(options.settings.height));
   write_shading(out, options);

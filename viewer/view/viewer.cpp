@@ -11,9 +11,12 @@
 namespace barrido::view {
 namespace {
 
+constexpr std::uint32_t kDarkGrey = 0xff333333u;
+
 /// One picture's worth of options: what makes several frames, or writes them, has no place in a window.
 cli::RenderOptions of_one_picture(cli::RenderOptions options) {
   options.shadings = {options.shadings.at(0)};
+  options.views = {options.views.at(0)};
   options.files.clear();
   options.output.clear();
   options.settings_path.clear();
@@ -197,19 +200,24 @@ void Viewer::advance(double seconds) {
   changed = true;
 }
 
+int Viewer::legend_height() const {
+  const bool view = display.split ? has_view(kLeft) || has_view(kRight) : has_view(active_side_);
+  return view ? inspect::legend_height(width()) : 0;
+}
+
 void Viewer::set_size(int width, int height) {
-  const int w = std::clamp(width, 1, raster::kMaxFrameSide), h = std::clamp(height, 1, raster::kMaxFrameSide);
-  if (w == this->width() && h == this->height()) return;
-  for (cli::RenderOptions& options : sides_) {
-    options.settings.width = w;
-    options.settings.height = h;
-  }
-  changed = true;
+  const int w = std::clamp(width, 1, raster::kMaxFrameSide);
+  const int old_width = this->width(), old_height = this->height();
+  for (cli::RenderOptions& options : sides_) options.settings.width = w;
+  const int h = std::clamp(height - legend_height(), 1, raster::kMaxFrameSide);
+  for (cli::RenderOptions& options : sides_) options.settings.height = h;
+  changed = changed || w != old_width || h != old_height;
 }
 
 Picture Viewer::blank(int coarseness) const {
-  constexpr std::uint32_t kDarkGrey = 0xff333333u;
-  const int w = std::max(1, width() / coarseness), h = std::max(1, height() / coarseness);
+  const int w = std::max(1, width() / coarseness);
+  const int legend = legend_height() > 0 ? inspect::legend_height(w) : 0;
+  const int h = std::max(1, height() / coarseness) + legend;
   return {w, h,
           std::vector<std::uint32_t>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kDarkGrey)};
 }
@@ -222,7 +230,15 @@ Picture Viewer::draw_side(int side, int coarseness) {
   try {
     DrawnFrame frame = model_->draw(options);
     add(costs_, frame);
-    return {frame.framebuffer.width(), frame.framebuffer.height(), std::move(frame.framebuffer.color8())};
+    Picture picture{frame.framebuffer.width(), frame.framebuffer.height(),
+                    std::move(frame.framebuffer.color8())};
+    // Beside a view with its legend, a picture without one stands on nothing.
+    if (display.split && legend_height() > 0 && !has_view(side)) {
+      picture.height += inspect::legend_height(picture.width);
+      picture.rgba.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
+                          kDarkGrey);
+    }
+    return picture;
   } catch (const std::exception& error) {
     message = error.what();
     return blank(coarseness);

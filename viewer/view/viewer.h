@@ -92,8 +92,11 @@ class Viewer {
   void advance(double seconds);
 
   // Pictures.
-  /// Size of the finest picture; 1..16384 each way.
+  /// Size of the finest picture, legend included; 1..16384 each way.
   void set_size(int width, int height);
+  /// Of the legend below a view; 0 where no side shows one.
+  int legend_height() const;
+  /// Without the legend.
   int width() const { return sides_[0].settings.width; }
   int height() const { return sides_[0].settings.height; }
   /// Draws what is to be shown, in 1/`coarseness` of the size. Failures are told in `message` and give a
@@ -120,6 +123,8 @@ class Viewer {
   void load(const std::string& path);
   Picture draw_side(int side, int coarseness);
   Picture blank(int coarseness) const;
+
+  bool has_view(int side) const { return sides_[static_cast<std::size_t>(side)].views.at(0).has_value(); }
 
   std::array<cli::RenderOptions, 2> sides_;
   cli::RenderOptions initial_;

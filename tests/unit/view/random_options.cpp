@@ -138,6 +138,7 @@ cli::RenderOptions RandomOptions::next() {
   s.width = 1 + whole(4000);
   s.height = 1 + whole(4000);
   options.shadings = {static_cast<pipeline::ShadeModel>(whole(4))};
+  if (coin()) options.views = {static_cast<inspect::StructureView>(whole(inspect::kStructureViewCount))};
   set_looks(s);
   set_camera(options);
   if (coin()) set_material(s.material);
@@ -175,6 +176,7 @@ cli::RenderOptions RandomOptions::next() {
 void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
 #define EXPECT_SAME(field) EXPECT_TRUE(same(a.field, b.field)) << #field
   EXPECT_SAME(shadings);
+  EXPECT_SAME(views);
   EXPECT_SAME(environment_path);
   EXPECT_SAME(background_shown);
   EXPECT_SAME(fog);
