@@ -228,10 +228,10 @@ Picture Viewer::draw_side(int side, int coarseness) {
   options.settings.width = std::max(1, options.settings.width / coarseness);
   options.settings.height = std::max(1, options.settings.height / coarseness);
   try {
-    DrawnFrame frame = model_->draw(options);
+    const DrawnFrame frame = model_->draw(options);
     add(costs_, frame);
-    Picture picture{frame.framebuffer.width(), frame.framebuffer.height(),
-                    std::move(frame.framebuffer.color8())};
+    const auto& colors = frame.framebuffer.color8();
+    Picture picture{frame.framebuffer.width(), frame.framebuffer.height(), {colors.begin(), colors.end()}};
     // Beside a view with its legend, a picture without one stands on nothing.
     if (display.split && legend_height() > 0 && !has_view(side)) {
       picture.height += inspect::legend_height(picture.width);
