@@ -52,8 +52,8 @@ DrawnFrame Model::draw(const cli::RenderOptions& options) {
   pipeline::Statistics counts;
   const scene::RenderSettings settings = settings_for(options);
   const std::optional<inspect::StructureView>& view = options.views.at(0);
-  raster::Framebuffer framebuffer = view ? inspect::draw_view(renderer_, settings, *view)
-                                         : renderer_.render(settings, &counts);
+  raster::Framebuffer framebuffer =
+      view ? inspect::draw_view(renderer_, settings, *view) : renderer_.render(settings, &counts);
   return {std::move(framebuffer), counts, watch.milliseconds()};
 }
 
