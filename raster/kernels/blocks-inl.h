@@ -182,6 +182,19 @@ class TriangleBlocks {
     return rgba;
   }
 
+  /// What the scissor leaves of a block, by its first column.
+  HWY_INLINE auto scissor_mask(int row) const {
+    const I di;
+    const auto rows = hn::Add(hn::Load(di, BlockLanes::kRow), hn::Set(di, row));
+    const auto in_rows =
+        hn::And(hn::Gt(rows, hn::Set(di, scissor_.y_begin - 1)), hn::Lt(rows, hn::Set(di, scissor_.y_end)));
+    return [in_rows, this](int x) HWY_ATTR {
+      const auto columns = hn::Add(hn::Load(I(), BlockLanes::kColumn), hn::Set(I(), x));
+      return hn::And(in_rows, hn::And(hn::Gt(columns, hn::Set(I(), scissor_.x_begin - 1)),
+                                      hn::Lt(columns, hn::Set(I(), scissor_.x_end))));
+    };
+  }
+
   template <bool kUsual>
   HWY_INLINE void draw_rows(const TriangleBox& box, int row, const BlockPaint& paint) {
     const Planes& planes = paint.planes;
@@ -218,19 +231,6 @@ class TriangleBlocks {
       auto* pixels = reinterpret_cast<std::int32_t*>(surface_.color8) + row * kTileWidth + x;
       store_block(di, pack8(rgba), hn::RebindMask(di, mask), pixels);
     }
-  }
-
-  /// What the scissor leaves of a block, by its first column.
-  HWY_INLINE auto scissor_mask(int row) const {
-    const I di;
-    const auto rows = hn::Add(hn::Load(di, BlockLanes::kRow), hn::Set(di, row));
-    const auto in_rows =
-        hn::And(hn::Gt(rows, hn::Set(di, scissor_.y_begin - 1)), hn::Lt(rows, hn::Set(di, scissor_.y_end)));
-    return [in_rows, this](int x) HWY_ATTR {
-      const auto columns = hn::Add(hn::Load(I(), BlockLanes::kColumn), hn::Set(I(), x));
-      return hn::And(in_rows, hn::And(hn::Gt(columns, hn::Set(I(), scissor_.x_begin - 1)),
-                                      hn::Lt(columns, hn::Set(I(), scissor_.x_end))));
-    };
   }
 
   /// kRows pieces of four, one below the other in the tile.
