@@ -7,23 +7,11 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "raster/kernels/simd_math-inl.h"
+#include "raster/kernels/blend-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using F = hn::ScalableTag<float>;
-using V = hn::Vec<F>;
-
-HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
-HWY_INLINE V clamp01(V c) {
-  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F())), one());
-}
-
-struct Rgba {
-  V c[4];
-};
 
 HWY_INLINE Rgba load(const float (*colors)[kBatchStride], int i) {
   const F d;
