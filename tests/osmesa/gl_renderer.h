@@ -1,6 +1,5 @@
 // The reference: draws a scene pair with OSMesa through OpenGL 1.x's fixed-function calls, and Phong and
-// cheap Phong through GLSL 1.20. Written from the OpenGL specification; shares nothing with Barrido but the
-// structs of its state.
+// cheap Phong through GLSL 1.20 (viewer/osmesa).
 #pragma once
 
 #include <memory>

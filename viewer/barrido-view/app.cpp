@@ -121,7 +121,7 @@ void App::draw_picture() {
   coarseness_ = hurry ? std::clamp(wanted, 2, kCoarsest) : 1;
   const view::Picture& picture = viewer_.draw(coarseness_);
   inspected_.reset();  // The picture is another now.
-  if (coarseness_ == 1) full_ms_ = viewer_.costs().draw_ms;
+  if (coarseness_ == 1) full_ms_ = viewer_.costs().draw_ms + viewer_.costs().osmesa_ms;
   quad_.set_picture(picture);
   ++frames_;
   shows_ = kShowsToSettle;
@@ -290,7 +290,8 @@ void App::set_title() {
   if (viewer_.display.split) {
     title = (name.empty() ? "" : name + " - ") +
             std::string(cli::name_of(viewer_.side(view::kLeft).shadings[0])) + " | " +
-            std::string(cli::name_of(viewer_.side(view::kRight).shadings[0]));
+            (viewer_.display.osmesa ? "OSMesa"
+                                    : std::string(cli::name_of(viewer_.side(view::kRight).shadings[0])));
   }
   title += " - barrido-view";
   if (title == title_) return;

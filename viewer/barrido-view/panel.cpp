@@ -16,7 +16,7 @@ void draw_head(view::Viewer& viewer, const std::string& status) {
   const view::Costs& costs = viewer.costs();
   ImGui::Text("%d x %d   %.1f ms   %s triangles", viewer.width(), viewer.height(), costs.draw_ms,
               cli::grouped(costs.triangles).c_str());
-  if (viewer.display.split) {
+  if (viewer.display.split && !viewer.display.osmesa) {
     ImGui::TextUnformatted("changes:");
     for (const int side : {view::kLeft, view::kRight}) {
       ImGui::SameLine();

@@ -247,6 +247,12 @@ bool draw_compare(view::Viewer& viewer) {
   if (!split) return changed;
   ImGui::SameLine();
   changed |= ImGui::Checkbox("difference", &viewer.display.difference);
+  bool osmesa = viewer.display.osmesa;
+  if (ImGui::Checkbox("Barrido | OSMesa", &osmesa)) viewer.set_osmesa(osmesa), changed = true;
+  if (const auto& difference = viewer.difference()) {
+    ImGui::Text("largest %d of 255, mean %.4f", difference->largest, difference->mean);
+  }
+  if (viewer.display.osmesa) return changed;
   cli::RenderOptions& a = viewer.side(view::kLeft);
   cli::RenderOptions& b = viewer.side(view::kRight);
   if (ImGui::Button("Gouraud | Phong")) {
@@ -267,9 +273,6 @@ bool draw_compare(view::Viewer& viewer) {
   }
   ImGui::SameLine();
   if (ImGui::Button("A = B")) a = b, changed = true;
-  if (const auto& difference = viewer.difference()) {
-    ImGui::Text("largest %d of 255, mean %.4f", difference->largest, difference->mean);
-  }
   return changed;
 }
 

@@ -65,6 +65,7 @@ void draw_counters(const view::Viewer& viewer, float scale) {
   ImGui::Text("%15s fragments shaded", cli::grouped(costs.fragments).c_str());
   ImGui::Text("%15s illuminations", cli::grouped(costs.illuminations).c_str());
   ImGui::Text("%15s powers", cli::grouped(costs.powers).c_str());
+  if (viewer.display.osmesa) ImGui::Text("%8.2f ms by OSMesa", costs.osmesa_ms);
   ImGui::End();
 }
 
@@ -78,13 +79,8 @@ void draw_message(const std::string& message, float width, float height, float s
   ImGui::End();
 }
 
-void draw_difference(const view::Difference& difference, float width, float scale) {
-  ImGui::SetNextWindowPos({width - 10.0f * scale, 10.0f * scale}, ImGuiCond_Always, {1.0f, 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.7f);
-  ImGui::Begin("Difference", nullptr, kNote);
-  ImGui::Text("largest difference %d of 255", difference.largest);
-  ImGui::Text("mean               %.4f", difference.mean);
-  ImGui::Text("pixels that differ %s", cli::grouped(difference.pixels).c_str());
+/// The colours of the heat map with their numbers.
+void draw_heat_scale(int largest, float scale) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   constexpr int kSteps = 64;
   const float step = 3.0f * scale, height = 12.0f * scale;
@@ -94,7 +90,22 @@ void draw_difference(const view::Difference& difference, float width, float scal
                                               view::heat_color(i / (kSteps - 1.0)));
   }
   ImGui::Dummy({step * kSteps, height});
-  ImGui::Text("0%*d", 26, difference.largest);
+  ImGui::Text("0%*d", 26, largest);
+}
+
+void draw_difference(const view::Viewer& viewer, float width, float scale) {
+  const view::Difference& difference = *viewer.difference();
+  ImGui::SetNextWindowPos({width - 10.0f * scale, 10.0f * scale}, ImGuiCond_Always, {1.0f, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.7f);
+  ImGui::Begin("Difference", nullptr, kNote);
+  ImGui::Text("largest difference %d of 255", difference.largest);
+  ImGui::Text("mean               %.4f", difference.mean);
+  ImGui::Text("pixels that differ %s", cli::grouped(difference.pixels).c_str());
+  ImGui::Text("by more than 1     %s", cli::grouped(difference.beyond_rounding).c_str());
+  for (const std::string& what : viewer.osmesa_cannot()) {
+    ImGui::TextColored({1.0f, 0.8f, 0.3f, 1.0f}, "OpenGL has no: %s", what.c_str());
+  }
+  if (viewer.display.difference) draw_heat_scale(difference.largest, scale);
   ImGui::End();
 }
 
@@ -104,9 +115,11 @@ void draw_divider(const view::Viewer& viewer, float width, float height, float s
   ImDrawList* lines = ImGui::GetBackgroundDrawList();
   lines->AddLine({column, 0}, {column, height}, 0xffffffffu, scale);
   for (const int side : {view::kLeft, view::kRight}) {
-    const bool active = viewer.active_side() == side;
-    const float x = side == view::kLeft ? column - 16.0f * scale : column + 8.0f * scale;
-    lines->AddText({x, 8.0f * scale}, active ? 0xff40d0ffu : 0xffc0c0c0u, side == view::kLeft ? "A" : "B");
+    const bool active = viewer.active_side() == side, left = side == view::kLeft;
+    const bool osmesa = viewer.display.osmesa;
+    const char* const name = osmesa ? (left ? "Barrido" : "OSMesa") : (left ? "A" : "B");
+    const float x = left ? column - 8.0f * scale - ImGui::CalcTextSize(name).x : column + 8.0f * scale;
+    lines->AddText({x, 8.0f * scale}, active ? 0xff40d0ffu : 0xffc0c0c0u, name);
   }
 }
 
@@ -169,7 +182,9 @@ void draw_marks(view::Viewer& viewer, Pointer&, float scale, float pixels_per_un
   if (viewer.display.split && !viewer.display.difference) draw_divider(viewer, width, height, scale);
   draw_light_handles(viewer, scale, pixels_per_unit);
   if (viewer.display.counters) draw_counters(viewer, scale);
-  if (viewer.display.difference && viewer.difference()) draw_difference(*viewer.difference(), width, scale);
+  if ((viewer.display.difference || viewer.display.osmesa) && viewer.difference()) {
+    draw_difference(viewer, width, scale);
+  }
   if (viewer.display.inspector && viewer.inspected()) {
     draw_story(*viewer.inspected(), width, height, scale, pixels_per_unit);
   }

@@ -120,6 +120,8 @@ constexpr KeyBinding kCompare[] = {
     {"Compare", key_of('D'), kNoModifier, "D", "split view: drag the divider",
      [](Viewer& v) { v.set_split(!v.display.split); }},
     {"Compare", key_of('D'), kShift, "Shift+D", "heat map of the two sides' difference", toggle_difference},
+    {"Compare", key_of('Q'), kNoModifier, "Q", "split view of the same draws: Barrido | OSMesa, an OpenGL",
+     [](Viewer& v) { v.set_osmesa(!v.display.osmesa); }},
     {"Compare", key_of('V'), kNoModifier, "V",
      "next view: overdraw, texels, mip levels, depth, Mach bands ...",
      [](Viewer& v) { step_view(v.active(), 1); }},

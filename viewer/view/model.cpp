@@ -1,5 +1,6 @@
 #include "viewer/view/model.h"
 
+#include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/metering.h"
@@ -17,6 +18,23 @@ std::unique_ptr<const scene::Scene> load(const std::string& path) {
   options.image_roles = cli::kDrawnImages;
   return std::make_unique<const scene::Scene>(scene::import_gltf(path, options));
 }
+
+/// Gives the frame to OSMesa instead of having it drawn.
+class OsmesaObserver final : public scene::FrameObserver {
+ public:
+  explicit OsmesaObserver(osmesa::FrameDrawer& drawer) : drawer_(drawer) {}
+
+  bool observe(const scene::ObservedFrame& frame) override {
+    drawn_ = {frame.options.width, frame.options.height, drawer_.draw(frame.assembled, frame.options), 0.0};
+    return false;
+  }
+
+  OsmesaFrame take() { return std::move(drawn_); }
+
+ private:
+  osmesa::FrameDrawer& drawer_;
+  OsmesaFrame drawn_;
+};
 
 }  // namespace
 
@@ -55,6 +73,15 @@ DrawnFrame Model::draw(const cli::RenderOptions& options) {
   raster::Framebuffer framebuffer =
       view ? inspect::draw_view(renderer_, settings, *view) : renderer_.render(settings, &counts);
   return {std::move(framebuffer), counts, watch.milliseconds()};
+}
+
+OsmesaFrame Model::draw_by(osmesa::FrameDrawer& drawer, const cli::RenderOptions& options) {
+  const cli::Stopwatch watch;
+  OsmesaObserver observer(drawer);
+  renderer_.render(settings_for(options), nullptr, &observer);
+  OsmesaFrame frame = observer.take();
+  frame.draw_ms = watch.milliseconds();
+  return frame;
 }
 
 inspect::PixelStory Model::inspect(const cli::RenderOptions& options, int x, int y) {

@@ -13,6 +13,7 @@
 #include "pipeline/scene/render_scene.h"
 #include "pipeline/scene/view.h"
 #include "viewer/barrido/render_options.h"
+#include "viewer/osmesa/frame_picture.h"
 
 namespace barrido::view {
 
@@ -30,6 +31,14 @@ struct DrawnFrame {
   double draw_ms = 0.0;
 };
 
+/// OSMesa's picture of the draws of a frame.
+struct OsmesaFrame {
+  int width = 0;
+  int height = 0;
+  osmesa::FramePicture picture;
+  double draw_ms = 0.0;
+};
+
 class Model {
  public:
   /// @throws scene::InputError when the file cannot be read.
@@ -42,6 +51,10 @@ class Model {
   /// The picture that `barrido render` makes with these options: they are written as a command line, and that
   /// is read and drawn. A view stands on its legend. @throws UsageError, scene::InputError.
   DrawnFrame draw(const cli::RenderOptions& options);
+
+  /// The same frame's draws, drawn by OSMesa; options that make another picture of them (views) do not count.
+  /// @throws as draw, and std::runtime_error from OSMesa.
+  OsmesaFrame draw_by(osmesa::FrameDrawer& drawer, const cli::RenderOptions& options);
 
   /// What the renderer is given for these options. @throws as draw.
   scene::RenderSettings settings_for(const cli::RenderOptions& options);

@@ -42,6 +42,7 @@ Difference difference_of(const Picture& a, const Picture& b) {
     }
     difference.largest = std::max(difference.largest, largest);
     difference.pixels += largest > 0;
+    difference.beyond_rounding += largest > 1;
   }
   if (!a.rgba.empty())
     difference.mean = static_cast<double>(sum) / (3.0 * static_cast<double>(a.rgba.size()));

@@ -15,6 +15,7 @@ struct Picture {
 
 struct Costs {
   double draw_ms = 0.0;
+  double osmesa_ms = 0.0;       ///< Of OSMesa's picture, where one is shown.
   std::uint64_t triangles = 0;  ///< Primitives assembled.
   std::uint64_t fragments = 0;  ///< Shaded.
   std::uint64_t illuminations = 0;
@@ -24,8 +25,9 @@ struct Costs {
 /// How far two pictures are apart, in steps of 1/255 of a channel; alpha does not count.
 struct Difference {
   int largest = 0;
-  double mean = 0.0;         ///< Over all pixels and channels
-  std::uint64_t pixels = 0;  ///< That differ at all
+  double mean = 0.0;                  ///< Over all pixels and channels
+  std::uint64_t pixels = 0;           ///< That differ at all
+  std::uint64_t beyond_rounding = 0;  ///< That differ by more than 1
 };
 
 /// Columns left of `divider` (a part of the width) from `left`, the others from `right`; sizes are the same.

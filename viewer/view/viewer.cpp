@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <tuple>
 
 #include "raster/primitive.h"
 #include "viewer/barrido/frame_plan.h"
@@ -93,7 +94,29 @@ void Viewer::reload() {
   if (!files_.empty()) load(path());
 }
 
+void Viewer::set_osmesa(bool on) {
+  if (on == display.osmesa) return;
+  if (!on) return set_split(false);
+  if (const std::string why = osmesa::why_missing(); !why.empty()) {
+    message = "no picture by OSMesa: " + why;
+    return;
+  }
+  set_split(true);
+  sides_[kLeft] = active();
+  active_side_ = kLeft;
+  display.osmesa = true;
+  scene::RenderSettings& settings = sides_[kLeft].settings;
+  put_aside_ = std::pair{settings.color_management, settings.flat_at};
+  settings.color_management = scene::ColorManagement::none;
+  settings.flat_at = pipeline::FlatAt::provoking_vertex;
+}
+
 void Viewer::set_split(bool on) {
+  if (display.osmesa && put_aside_) {
+    std::tie(sides_[kLeft].settings.color_management, sides_[kLeft].settings.flat_at) = *put_aside_;
+  }
+  put_aside_.reset();
+  display.osmesa = false;
   if (on && !display.split) sides_[active_side_ == kLeft ? kRight : kLeft] = active();
   // What was seen last stays.
   if (!on && display.split) sides_[kLeft] = active();
@@ -222,22 +245,46 @@ Picture Viewer::blank(int coarseness) const {
           std::vector<std::uint32_t>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kDarkGrey)};
 }
 
-Picture Viewer::draw_side(int side, int coarseness) {
-  if (!model_) return blank(coarseness);
+cli::RenderOptions Viewer::coarse(int side, int coarseness) const {
   cli::RenderOptions options = sides_[static_cast<std::size_t>(side)];
   options.settings.width = std::max(1, options.settings.width / coarseness);
   options.settings.height = std::max(1, options.settings.height / coarseness);
+  return options;
+}
+
+void Viewer::stand_on_nothing(Picture& picture) const {
+  if (legend_height() == 0) return;
+  picture.height += inspect::legend_height(picture.width);
+  picture.rgba.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
+                      kDarkGrey);
+}
+
+Picture Viewer::draw_osmesa(int coarseness) {
+  osmesa_cannot_.clear();
+  osmesa_picture_ = {};
+  if (!model_) return blank(coarseness);
   try {
-    const DrawnFrame frame = model_->draw(options);
+    OsmesaFrame frame = model_->draw_by(osmesa_, coarse(kLeft, coarseness));
+    costs_.osmesa_ms = frame.draw_ms;
+    osmesa_cannot_ = std::move(frame.picture.cannot);
+    Picture picture{frame.width, frame.height, std::move(frame.picture.rgba)};
+    if (coarseness == 1) osmesa_picture_ = picture;
+    stand_on_nothing(picture);
+    return picture;
+  } catch (const std::exception& error) {
+    message = std::string("no picture by OSMesa: ") + error.what();
+    return blank(coarseness);
+  }
+}
+
+Picture Viewer::draw_side(int side, int coarseness) {
+  if (!model_) return blank(coarseness);
+  try {
+    const DrawnFrame frame = model_->draw(coarse(side, coarseness));
     add(costs_, frame);
     const auto& colors = frame.framebuffer.color8();
     Picture picture{frame.framebuffer.width(), frame.framebuffer.height(), {colors.begin(), colors.end()}};
-    // Beside a view with its legend, a picture without one stands on nothing.
-    if (display.split && legend_height() > 0 && !has_view(side)) {
-      picture.height += inspect::legend_height(picture.width);
-      picture.rgba.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
-                          kDarkGrey);
-    }
+    if (display.split && !has_view(side)) stand_on_nothing(picture);
     return picture;
   } catch (const std::exception& error) {
     message = error.what();
@@ -245,16 +292,25 @@ Picture Viewer::draw_side(int side, int coarseness) {
   }
 }
 
+std::string Viewer::osmesa_story(int x, int y) const {
+  if (!display.osmesa || x >= osmesa_picture_.width || y >= osmesa_picture_.height) return "";
+  const std::uint32_t rgba =
+      osmesa_picture_.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(osmesa_picture_.width) +
+                           static_cast<std::size_t>(x)];
+  return "OSMesa's colour here: " + std::to_string(rgba & 255) + ' ' + std::to_string(rgba >> 8 & 255) + ' ' +
+         std::to_string(rgba >> 16 & 255) + "\n";
+}
+
 void Viewer::inspect(int x, int y) {
   inspected_.reset();
   if (!model_ || x < 0 || y < 0 || x >= width() || y >= height()) return;
   int side = active_side_;
-  if (display.split && !display.difference) {
+  if (display.split && !display.difference && !display.osmesa) {
     side = x < divider_column(width(), display.divider) ? kLeft : kRight;
   }
   try {
     const inspect::PixelStory story = model_->inspect(sides_[static_cast<std::size_t>(side)], x, y);
-    inspected_ = {x, y, side, story.rgba8, inspect::story_text(story)};
+    inspected_ = {x, y, side, story.rgba8, osmesa_story(x, y) + inspect::story_text(story)};
   } catch (const std::exception& error) {
     inspected_ = {x, y, side, {}, error.what()};
   }
@@ -268,8 +324,9 @@ const Picture& Viewer::draw(int coarseness) {
     picture_ = draw_side(active_side_, coarseness);
     return picture_;
   }
+  if (display.osmesa) sides_[kRight] = sides_[kLeft];
   const Picture left = draw_side(kLeft, coarseness);
-  const Picture right = draw_side(kRight, coarseness);
+  const Picture right = display.osmesa ? draw_osmesa(coarseness) : draw_side(kRight, coarseness);
   difference_ = difference_of(left, right);
   picture_ =
       display.difference ? heat_map(left, right, *difference_) : side_by_side(left, right, display.divider);

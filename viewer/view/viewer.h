@@ -26,7 +26,10 @@ struct Display {
   bool help = false;
   bool counters = false;
   bool inspector = false;
-  bool split = false;       ///< The left side left of the divider, the right side right of it.
+  bool split = false;  ///< The left side left of the divider, the right side right of it.
+  /// The right side is OSMesa's picture of the left side's draws, which keys and panel change; only when
+  /// split.
+  bool osmesa = false;
   bool difference = false;  ///< A heat map of the sides' difference; only when split.
   double divider = 0.5;     ///< Part of the width, 0..1
 };
@@ -60,9 +63,13 @@ class Viewer {
   cli::RenderOptions& active() { return sides_[static_cast<std::size_t>(active_side_)]; }
   cli::RenderOptions& side(int side) { return sides_[static_cast<std::size_t>(side)]; }
   int active_side() const { return active_side_; }
-  void set_active_side(int side) { active_side_ = side; }
+  /// Without effect beside OSMesa, whose side has no options of its own.
+  void set_active_side(int side) { active_side_ = display.osmesa ? kLeft : side; }
   /// Splits the picture; the right side begins as a copy of the active one.
   void set_split(bool on);
+  /// Barrido | OSMesa of the active side, with what OpenGL 1.x has not put aside until it is switched off:
+  /// managed colours, polygons lit at their centroid. Where OSMesa is missing, `message` tells why.
+  void set_osmesa(bool on);
   /// The words of `barrido render` that draw the active side.
   std::vector<std::string> words() const { return words_of_side(active_side_); }
   std::vector<std::string> words_of_side(int side) const;
@@ -110,6 +117,8 @@ class Viewer {
   /// What the last picture cost, both sides together.
   const Costs& costs() const { return costs_; }
   const std::optional<Difference>& difference() const { return difference_; }
+  /// What the picture asks of OSMesa in vain.
+  const std::vector<std::string>& osmesa_cannot() const { return osmesa_cannot_; }
 
   /// Whether something changed since the last picture.
   bool changed = true;
@@ -122,6 +131,12 @@ class Viewer {
   void move_camera(const Move& move);
   void load(const std::string& path);
   Picture draw_side(int side, int coarseness);
+  Picture draw_osmesa(int coarseness);
+  /// A line for the inspector; empty where there is no picture by OSMesa.
+  std::string osmesa_story(int x, int y) const;
+  cli::RenderOptions coarse(int side, int coarseness) const;
+  /// Beside a view with its legend, a picture without one stands on nothing.
+  void stand_on_nothing(Picture& picture) const;
   Picture blank(int coarseness) const;
 
   bool has_view(int side) const { return sides_[static_cast<std::size_t>(side)].views.at(0).has_value(); }
@@ -137,6 +152,11 @@ class Viewer {
   Picture picture_;
   Costs costs_;
   std::optional<Difference> difference_;
+  osmesa::FrameDrawer osmesa_;
+  std::vector<std::string> osmesa_cannot_;
+  Picture osmesa_picture_;  ///< Of full size, or none.
+  /// What set_osmesa put aside.
+  std::optional<std::pair<scene::ColorManagement, pipeline::FlatAt>> put_aside_;
   std::optional<Inspected> inspected_;
 };
 

@@ -28,6 +28,7 @@ TEST(Picture, DifferenceHasMaximumAndMean) {
   const Difference difference = difference_of(a, b);
   EXPECT_EQ(difference.largest, 30);
   EXPECT_EQ(difference.pixels, 2u);
+  EXPECT_EQ(difference.beyond_rounding, 2u);
   EXPECT_DOUBLE_EQ(difference.mean, 60.0 / 12.0);
   const Picture map = heat_map(a, b, difference);
   EXPECT_EQ(map.rgba[0], heat_color(0.0));

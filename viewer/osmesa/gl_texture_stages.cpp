@@ -1,10 +1,10 @@
-#include "tests/osmesa/gl_texture_stages.h"
+#include "viewer/osmesa/gl_texture_stages.h"
 
 #include <stdexcept>
 
-#include "tests/osmesa/gl_state.h"
+#include "viewer/osmesa/gl_state.h"
 
-namespace barrido::crosscheck {
+namespace barrido::osmesa {
 namespace {
 
 using raster::CombineChannel;
@@ -137,8 +137,9 @@ std::string fragment_texture_stages(const pipeline::State& state) {
 void set_samplers(unsigned program, const pipeline::State& state) {
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     if (state.texture_units[i].texture == nullptr) continue;
-    glUniform1i(glGetUniformLocation(program, ("tex" + std::to_string(i)).c_str()), static_cast<GLint>(i));
+    gl().Uniform1i(gl().GetUniformLocation(program, ("tex" + std::to_string(i)).c_str()),
+                   static_cast<GLint>(i));
   }
 }
 
-}  // namespace barrido::crosscheck
+}  // namespace barrido::osmesa

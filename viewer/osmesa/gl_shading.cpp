@@ -1,12 +1,13 @@
 // Phong and cheap Phong shading as GLSL 1.20, from OpenGL 1.3's equations 2.4 and 2.5 and the two variants of
 // cheap Phong. Lights, materials and matrices are read from the fixed-function state.
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "tests/osmesa/gl_state.h"
-#include "tests/osmesa/gl_texture_stages.h"
+#include "viewer/osmesa/gl_state.h"
+#include "viewer/osmesa/gl_texture_stages.h"
 
-namespace barrido::crosscheck {
+namespace barrido::osmesa {
 namespace {
 
 // Definitions that stand before this: LIGHTS, LOCAL_VIEWER, TWO_SIDED, R_DOT_V,
@@ -142,7 +143,7 @@ std::string definitions(const pipeline::State& state, bool has_vertex_colors) {
   const auto define = [&text](const std::string& name, bool value) {
     text += "#define " + name + (value ? " true\n" : " false\n");
   };
-  text += "#define LIGHTS " + std::to_string(lighting.lights.size()) + "\n";
+  text += "#define LIGHTS " + std::to_string(std::min(lighting.lights.size(), kGlLights)) + "\n";
   define("LOCAL_VIEWER", lighting.local_viewer);
   define("TWO_SIDED", lighting.two_sided);
   define("R_DOT_V", lighting.specular_model == pipeline::SpecularModel::phong);
@@ -155,45 +156,68 @@ std::string definitions(const pipeline::State& state, bool has_vertex_colors) {
 }
 
 void attach(GLuint program, GLenum stage, const std::string& source) {
-  const GLuint shader = glCreateShader(stage);
+  const GLuint shader = gl().CreateShader(stage);
   const char* text = source.c_str();
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  glAttachShader(program, shader);
+  gl().ShaderSource(shader, 1, &text, nullptr);
+  gl().CompileShader(shader);
+  gl().AttachShader(program, shader);
   GLint compiled = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  gl().GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled == 0) {
     char log[2048] = "";
-    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    gl().GetShaderInfoLog(shader, sizeof log, nullptr, log);
     throw std::runtime_error(std::string("a reference shader does not compile: ") + log);
   }
-  glDeleteShader(shader);
+  gl().DeleteShader(shader);
 }
 
-}  // namespace
+/// What the text of a draw's program depends on.
+std::string program_key(const pipeline::State& state, bool has_colors) {
+  const pipeline::Lighting& lighting = state.lighting;
+  std::string key;
+  for (const int part :
+       {static_cast<int>(state.shade_model), static_cast<int>(lighting.lights.size()),
+        static_cast<int>(lighting.local_viewer), static_cast<int>(lighting.two_sided),
+        static_cast<int>(lighting.specular_model), static_cast<int>(lighting.separate_specular),
+        static_cast<int>(state.cheap_phong_power),
+        has_colors ? static_cast<int>(lighting.color_material) : 0}) {
+    key += std::to_string(part) + ' ';
+  }
+  return key + vertex_texture_stages(state) + fragment_texture_stages(state);
+}
 
-GLuint begin_shading(const pipeline::State& state, bool has_vertex_colors) {
-  using pipeline::ShadeModel;
-  const bool phong = state.shade_model == ShadeModel::phong;
-  if (!state.lighting.enabled || (!phong && state.shade_model != ShadeModel::cheap_phong)) return 0;
+GLuint make_program(const pipeline::State& state, bool has_vertex_colors) {
+  const bool phong = state.shade_model == pipeline::ShadeModel::phong;
   const std::string head = definitions(state, has_vertex_colors);
-  const GLuint program = glCreateProgram();
+  const GLuint program = gl().CreateProgram();
   attach(program, GL_VERTEX_SHADER,
          head + vertex_texture_stages(state) + (phong ? kPhongVertex : kCheapVertex));
   attach(program, GL_FRAGMENT_SHADER,
          head + fragment_texture_stages(state) + (phong ? kPhongFragment : kCheapFragment));
-  glLinkProgram(program);
+  gl().LinkProgram(program);
   GLint linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  gl().GetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked == 0) throw std::runtime_error("a reference program does not link");
-  glUseProgram(program);
+  gl().UseProgram(program);
   set_samplers(program, state);
+  gl().UseProgram(0);
   return program;
 }
 
-void end_shading(GLuint program) {
-  glUseProgram(0);
-  if (program != 0) glDeleteProgram(program);
+}  // namespace
+
+Programs::~Programs() {
+  for (const auto& [key, program] : programs_) gl().DeleteProgram(program);
 }
 
-}  // namespace barrido::crosscheck
+GLuint Programs::program_of(const pipeline::State& state, bool has_vertex_colors) {
+  using pipeline::ShadeModel;
+  const bool per_pixel =
+      state.shade_model == ShadeModel::phong || state.shade_model == ShadeModel::cheap_phong;
+  if (!state.lighting.enabled || !per_pixel) return 0;
+  const auto [slot, is_new] = programs_.try_emplace(program_key(state, has_vertex_colors), 0);
+  if (is_new) slot->second = make_program(state, has_vertex_colors);
+  return slot->second;
+}
+
+}  // namespace barrido::osmesa

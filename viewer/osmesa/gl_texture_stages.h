@@ -6,7 +6,7 @@
 
 #include "pipeline/state.h"
 
-namespace barrido::crosscheck {
+namespace barrido::osmesa {
 
 /// Defines `void make_texture_coordinates(vec3 n, vec3 p)`, from eye normal and position. Of the generated
 /// coordinates it knows reflection_map, in s, t and r at once.
@@ -20,4 +20,4 @@ std::string fragment_texture_stages(const pipeline::State& state);
 /// Sets the samplers of a linked program that is current: unit i is read by tex<i>.
 void set_samplers(unsigned program, const pipeline::State& state);
 
-}  // namespace barrido::crosscheck
+}  // namespace barrido::osmesa

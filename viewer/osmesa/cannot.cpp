@@ -1,0 +1,64 @@
+#include "viewer/osmesa/cannot.h"
+
+#include <algorithm>
+
+#include "viewer/osmesa/gl_state.h"
+
+namespace barrido::osmesa {
+namespace {
+
+using pipeline::ShadeModel;
+
+bool is_textured(const pipeline::State& state) {
+  return std::any_of(state.texture_units.begin(), state.texture_units.end(),
+                     [](const raster::TextureUnit& unit) { return unit.texture != nullptr; });
+}
+
+bool has_light(const pipeline::Lighting& lighting, bool (*is_such)(const pipeline::Light&)) {
+  return std::any_of(lighting.lights.begin(), lighting.lights.end(), is_such);
+}
+
+bool is_soft(const pipeline::Light& light) {
+  return light.spot_cutoff_deg != 180.0f && light.spot_outer_cos < light.spot_inner_cos;
+}
+
+std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state) {
+  const pipeline::Lighting& lighting = state.lighting;
+  const bool lit = lighting.enabled;
+  const bool at_vertices = lit && state.shade_model <= ShadeModel::gouraud;
+  const bool flat = lit && state.shade_model == ShadeModel::flat;
+  return {
+      {lit && lighting.lights.size() > kGlLights, "lights after the eighth"},
+      {lit && has_light(lighting, is_soft), "soft cones of light"},
+      {lit && has_light(lighting, [](const pipeline::Light& light) { return light.range > 0.0f; }),
+       "lights with a range"},
+      {lit && std::max(lighting.front.shininess, lighting.back.shininess) > kGlLargestExponent,
+       "shininess over 128"},
+      {at_vertices && lighting.specular_model == pipeline::SpecularModel::phong,
+       "R·V highlights at vertices"},
+      {flat && state.flat_at == pipeline::FlatAt::centroid, "flat polygons lit at their centroid"},
+      {state.color_interpolation == pipeline::ColorInterpolation::screen, "colours linear on the screen"},
+      {is_textured(state) && state.texture_interpolation == pipeline::TextureInterpolation::affine,
+       "affine textures"},
+  };
+}
+
+}  // namespace
+
+std::vector<std::string> what_opengl_cannot(const pipeline::AssembledFrame& frame,
+                                            const raster::FramebufferOptions& options) {
+  std::vector<std::string> cannot;
+  if (options.display.srgb_encode) {
+    cannot.emplace_back("managed colours (sRGB)");
+  } else if (options.format != raster::ColorFormat::rgba8) {
+    cannot.emplace_back("exposure and tone maps");
+  }
+  for (const pipeline::AssembledDraw& draw : frame.draws) {
+    for (const auto& [applies, name] : rules_of(draw.state)) {
+      if (applies && std::find(cannot.begin(), cannot.end(), name) == cannot.end()) cannot.emplace_back(name);
+    }
+  }
+  return cannot;
+}
+
+}  // namespace barrido::osmesa
