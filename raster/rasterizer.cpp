@@ -17,8 +17,9 @@
 namespace barrido::raster {
 namespace {
 
+/// NaN counts as 0.
 std::uint8_t to_byte(float c) {
-  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(c, 0.0f), 1.0f) * 255.0f));
+  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(0.0f, c), 1.0f) * 255.0f));
 }
 
 std::uint32_t pack(const std::array<float, 4>& c) {
