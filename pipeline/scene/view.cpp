@@ -50,7 +50,6 @@ void apply_overrides(Eye& eye, const CameraChoice& choice) {
     if (choice.position) eye.position = *choice.position;
     if (choice.focal_point) eye.focal_point = *choice.focal_point;
     eye.up = unit_or(glm::dvec3(choice.up), {0, 1, 0});
-    eye.near_plane = eye.far_plane = 0.0;
   }
   if (choice.view_angle_deg) {
     eye.orthographic = false;
@@ -60,7 +59,6 @@ void apply_overrides(Eye& eye, const CameraChoice& choice) {
   if (choice.orthographic_height) {
     eye.orthographic = true;
     eye.half_height = *choice.orthographic_height * 0.5;
-    eye.near_plane = eye.far_plane = 0.0;
   }
 }
 
@@ -68,14 +66,20 @@ glm::dvec3 forward_of(const Eye& eye, const Sphere& bounds) {
   return unit_or(eye.focal_point - eye.position, unit_or(bounds.center - eye.position, {0, 0, -1}));
 }
 
-/// Near and far planes just around the bounds; the near one at least a thousandth of the far one, so that
-/// depth keeps enough steps when the eye is inside.
-void choose_planes(Eye& eye, const Sphere& bounds) {
-  if (eye.near_plane > 0.0 || (eye.orthographic && eye.far_plane > 0.0)) return;
+/// Where the file has none: near and far planes just around the bounds; the near one at least a thousandth of
+/// the far one, so that depth keeps enough steps when the eye is inside. An eye that was taken elsewhere
+/// keeps its camera's planes, moved apart so far as the bounds ask for: what was seen is never cut off.
+void choose_planes(Eye& eye, const Sphere& bounds, const CameraChoice& choice) {
+  const bool moved = choice.position || choice.focal_point || choice.orthographic_height;
+  const bool given = eye.near_plane > 0.0 || (eye.orthographic && eye.far_plane > 0.0);
+  if (given && !moved) return;
   const double depth = glm::dot(bounds.center - eye.position, forward_of(eye, bounds));
   const double reach = bounds.radius * 1.02;
-  eye.far_plane = depth + reach > 0.0 ? depth + reach : reach;
-  eye.near_plane = std::max(depth - reach, eye.far_plane * 1e-3);
+  const double far_plane = depth + reach > 0.0 ? depth + reach : reach;
+  const double near_plane = std::max(depth - reach, far_plane * 1e-3);
+  const bool infinite = given && eye.far_plane == 0.0 && !eye.orthographic;
+  eye.near_plane = given ? std::min(eye.near_plane, near_plane) : near_plane;
+  eye.far_plane = infinite ? 0.0 : std::max(given ? eye.far_plane : 0.0, far_plane);
 }
 
 }  // namespace
@@ -124,7 +128,7 @@ Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& po
                       : framing_eye(bounds, choice, static_cast<double>(settings.width) / settings.height);
   apply_overrides(eye, choice);
   orbit(eye, choice);
-  choose_planes(eye, bounds.sphere);
+  choose_planes(eye, bounds.sphere, choice);
   return eye;
 }
 

@@ -29,7 +29,8 @@ Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const S
 Eye framing_eye(const Bounds& bounds, const CameraChoice& choice, double aspect);
 
 /// The eye for these settings: file camera or framing, then position, focal point and view angle where given,
-/// then azimuth about the up direction and elevation towards it.
+/// then azimuth about the up direction and elevation towards it. A file's near and far plane stay, and move
+/// apart where the eye was moved and the bounds ask for it.
 /// @throws InputError when the camera asked for does not exist.
 Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& pose, const Bounds& bounds,
                const RenderSettings& settings);

@@ -203,22 +203,19 @@ bool draw_camera(view::Viewer& viewer) {
   cli::RenderOptions& options = viewer.active();
   const std::optional<view::Look> look = viewer.look();
   if (!look) return false;
-  scene::CameraChoice& camera = options.settings.camera;
+  scene::Eye eye = look->eye;
   const auto speed = static_cast<float>(look->bounds.radius * 0.01);
-  glm::vec3 position(look->eye.position), focal_point(look->eye.focal_point);
-  bool changed = false;
-  if (drag3("position", position, speed)) camera.position = position, changed = true;
-  if (drag3("looks at", focal_point, speed)) camera.focal_point = focal_point, changed = true;
-  if (changed) {
-    camera.ignore_file_cameras = true;
-    options.cameras.clear();
-  }
-  auto angle_deg = static_cast<float>(look->eye.vertical_fov_rad * kDegrees);
+  glm::vec3 position(eye.position), focal_point(eye.focal_point);
+  bool moved = false;
+  if (drag3("position", position, speed)) eye.position = position, moved = true;
+  if (drag3("looks at", focal_point, speed)) eye.focal_point = focal_point, moved = true;
+  auto angle_deg = static_cast<float>(eye.vertical_fov_rad * kDegrees);
   if (!look->eye.orthographic &&
       ImGui::SliderFloat("view angle", &angle_deg, 1.0f, 170.0f, "%.1f deg", ImGuiSliderFlags_AlwaysClamp)) {
-    camera.view_angle_deg = angle_deg;
-    changed = true;
+    eye.vertical_fov_rad = static_cast<double>(angle_deg / kDegrees);
+    moved = true;
   }
+  if (moved) viewer.look_through(eye);
   if (ImGui::Button(look->eye.orthographic ? "perspective" : "orthographic")) viewer.toggle_orthographic();
   ImGui::SameLine();
   if (ImGui::Button("reset")) viewer.reset_camera();
@@ -227,17 +224,13 @@ bool draw_camera(view::Viewer& viewer) {
     const std::string label = "camera " + std::to_string(i);
     if (i % 3 != 0) ImGui::SameLine();
     if (!ImGui::Button(label.c_str())) continue;
-    camera = {};
-    options.cameras = {i};
-    changed = true;
-  }
-  if (changed) {
     for (const int side : {view::kLeft, view::kRight}) {
-      viewer.side(side).settings.camera = camera;
-      viewer.side(side).cameras = options.cameras;
+      viewer.side(side).settings.camera = {};
+      viewer.side(side).cameras = {i};
     }
+    moved = true;
   }
-  return changed;
+  return moved;
 }
 
 bool draw_compare(view::Viewer& viewer) {

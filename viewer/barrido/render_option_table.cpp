@@ -131,7 +131,9 @@ constexpr RenderOption kCamera[] = {
       "Cameras of the file, from 0, several with commas between, or all; a frame for each. none frames the "
       "model. Default: the first; a file without cameras is framed."},
      set_cameras},
-    {{"Camera", "--camera-position", "", kValue, "X,Y,Z", "Where the eye is, in place of the file's camera."},
+    {{"Camera", "--camera-position", "", kValue, "X,Y,Z",
+      "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle and "
+      "the near and far plane stay."},
      [](Options& o, Text text) { o.settings.camera.position = parse_point(text); }},
     {{"Camera", "--camera-focal-point", "", kValue, "X,Y,Z",
       "What the eye looks at. Default: the model's middle."},

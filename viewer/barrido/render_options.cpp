@@ -47,8 +47,6 @@ constexpr Exclusion kExclusions[] = {
     {"--turntable", "--frames"},
     {"--time", "--frames"},
     {"--view", "--stats"},
-    {"--camera-index", "--camera-position"},
-    {"--camera-index", "--camera-focal-point"},
     {"--camera-view-angle", "--orthographic-height"},
 };
 
@@ -84,6 +82,11 @@ void check_frame(const RenderOptions& options, const Given& given, const std::st
     throw UsageError("--background: 'environment': needs a picture, --environment PATH");
   }
   const scene::CameraChoice& camera = options.settings.camera;
+  const bool several = options.all_cameras || options.cameras.size() > 1;
+  if (several && (camera.position || camera.focal_point)) {
+    const char* const other = camera.position ? "--camera-position" : "--camera-focal-point";
+    throw UsageError(std::string("--camera-index: several cannot be used together with ") + other);
+  }
   if (camera.position && camera.focal_point && *camera.position == *camera.focal_point) {
     throw UsageError("--camera-focal-point: is the same point as --camera-position");
   }

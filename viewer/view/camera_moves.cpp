@@ -122,7 +122,7 @@ void toggle_orthographic(Eye& eye) {
   eye.position = eye.focal_point - forward_of(eye) * distance;
 }
 
-void set_camera(scene::CameraChoice& choice, const Eye& eye) {
+void set_camera(scene::CameraChoice& choice, const Eye& eye, bool of_file) {
   const glm::vec3 up = choice.up;
   choice = {};
   choice.up = up;
@@ -136,7 +136,8 @@ void set_camera(scene::CameraChoice& choice, const Eye& eye) {
     return;
   }
   const auto angle_deg = std::clamp(static_cast<float>(eye.vertical_fov_rad * (180.0 / kPi)), 1.0f, 170.0f);
-  if (std::abs(angle_deg - static_cast<float>(kStandardFovDeg)) > 1e-4f) choice.view_angle_deg = angle_deg;
+  const bool standard = std::abs(angle_deg - static_cast<float>(kStandardFovDeg)) <= 1e-4f;
+  if (of_file || !standard) choice.view_angle_deg = angle_deg;
 }
 
 }  // namespace barrido::view

@@ -31,7 +31,8 @@ void toggle_orthographic(scene::Eye& eye);
 /// The height of what is seen at the focal point's distance.
 double height_at_focus(const scene::Eye& eye);
 
-/// Writes the eye into the choice, in the fewest options; `choice.up` is kept.
-void set_camera(scene::CameraChoice& choice, const scene::Eye& eye);
+/// Writes the eye into the choice, in the fewest options; `choice.up` is kept. `of_file`: the choice goes
+/// with a camera of the file, whose lens need not be the standard one.
+void set_camera(scene::CameraChoice& choice, const scene::Eye& eye, bool of_file);
 
 }  // namespace barrido::view

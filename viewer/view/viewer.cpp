@@ -91,7 +91,11 @@ void Viewer::step_file(int step) {
 }
 
 void Viewer::reload() {
-  if (!files_.empty()) load(path());
+  if (files_.empty()) return;
+  load(path());
+  const cli::RenderOptions& options = active();
+  const bool lost = model_ && !options.cameras.empty() && options.cameras[0] >= model_->camera_count(options);
+  if (lost) reset_camera();
 }
 
 void Viewer::set_osmesa(bool on) {
@@ -165,9 +169,21 @@ void Viewer::move_camera(const Move& move) {
   std::optional<Look> now = look();
   if (!now) return;
   move(now->eye, now->bounds);
+  look_through(now->eye);
+}
+
+std::vector<int> Viewer::file_camera() {
+  const cli::RenderOptions& options = active();
+  if (!options.cameras.empty()) return options.cameras;
+  const bool first = !options.settings.camera.ignore_file_cameras && model_->camera_count(options) > 0;
+  return first ? std::vector{0} : std::vector<int>{};
+}
+
+void Viewer::look_through(const scene::Eye& eye) {
+  const std::vector<int> camera = file_camera();
   for (cli::RenderOptions& options : sides_) {
-    options.cameras.clear();
-    set_camera(options.settings.camera, now->eye);
+    options.cameras = camera;
+    set_camera(options.settings.camera, eye, !camera.empty());
   }
   changed = true;
 }

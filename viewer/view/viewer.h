@@ -89,6 +89,8 @@ class Viewer {
   void roll(double degrees);
   void look_from(StandardView side);
   void toggle_orthographic();
+  /// Looks through this eye. A file camera that was looked through still gives its near and far plane.
+  void look_through(const scene::Eye& eye);
   void reset_camera();
   std::optional<Look> look();
 
@@ -129,6 +131,8 @@ class Viewer {
  private:
   template <class Move>
   void move_camera(const Move& move);
+  /// The file's camera that is looked through, moved or not; none where there is none.
+  std::vector<int> file_camera();
   void load(const std::string& path);
   Picture draw_side(int side, int coarseness);
   Picture draw_osmesa(int coarseness);

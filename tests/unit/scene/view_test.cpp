@@ -167,6 +167,36 @@ TEST(View, FileCamerasKeepTheirFieldOfViewAndIgnoreScale) {
   EXPECT_NE(look(perspective.scene, settings).view.eye_from_world[3][2], -10);
 }
 
+/// The square's bounds reach 1.02·√2 before and behind it.
+TEST(View, AMovedFileCameraKeepsItsPlanesOrWidensThem) {
+  SceneBuilder builder = with_camera(Camera::Kind::perspective);
+  builder.scene.cameras[0].near_plane = 0.01f;
+  builder.scene.cameras[0].far_plane = 20.0f;
+  RenderSettings settings;
+  settings.camera.camera_index = 0;
+  settings.camera.position = glm::vec3(0, 0, 5);
+  settings.camera.focal_point = glm::vec3(0, 0, 0);
+  Eye eye = look(builder.scene, settings).eye;
+  EXPECT_NEAR(eye.near_plane, 0.01, 1e-6);
+  EXPECT_NEAR(eye.far_plane, 20, 1e-6);
+  settings.camera.position = glm::vec3(0, 0, 50);
+  eye = look(builder.scene, settings).eye;
+  EXPECT_NEAR(eye.near_plane, 0.01, 1e-6);
+  EXPECT_GT(eye.far_plane, 51);
+  builder.scene.cameras[0].near_plane = 8.0f;
+  builder.scene.cameras[0].far_plane = 0.0f;
+  settings.camera.position = glm::vec3(0, 0, 5);
+  eye = look(builder.scene, settings).eye;
+  EXPECT_LT(eye.near_plane, 4);
+  EXPECT_EQ(eye.far_plane, 0) << "infinite stays infinite";
+  settings.camera.orthographic_height = 2.0f;
+  EXPECT_GT(look(builder.scene, settings).eye.far_plane, 6);
+  settings.camera.orthographic_height.reset();
+  settings.camera.camera_index = kNone;
+  settings.camera.ignore_file_cameras = true;
+  EXPECT_LT(look(builder.scene, settings).eye.far_plane, 7) << "not the file's";
+}
+
 TEST(View, ACameraThatIsNotThereIsNamed) {
   const SceneBuilder builder = with_camera(Camera::Kind::perspective);
   RenderSettings settings;

@@ -121,7 +121,7 @@ TEST(CameraMoves, StandardViewsSeeTheWholeSphere) {
 
 TEST(CameraMoves, ChoiceHoldsOnlyWhatIsNeeded) {
   scene::CameraChoice choice;
-  set_camera(choice, front_eye());
+  set_camera(choice, front_eye(), false);
   EXPECT_EQ(choice.position, glm::vec3(0, 0, 10));
   EXPECT_TRUE(choice.ignore_file_cameras);
   EXPECT_FALSE(choice.view_up);
@@ -131,16 +131,22 @@ TEST(CameraMoves, ChoiceHoldsOnlyWhatIsNeeded) {
   scene::Eye eye = front_eye();
   roll(eye, 90);
   eye.vertical_fov_rad = radians(60.0);
-  set_camera(choice, eye);
+  set_camera(choice, eye, false);
   ASSERT_TRUE(choice.view_up);
   EXPECT_NEAR(std::abs(choice.view_up->x), 1.0, 1e-6);
   EXPECT_NEAR(choice.view_angle_deg.value(), 60.0, 1e-4);
   orbit(eye, kUp, 20, 10);
-  set_camera(choice, eye);
+  set_camera(choice, eye, false);
   EXPECT_TRUE(choice.view_up) << "a roll is kept";
   roll(eye, -90);
-  set_camera(choice, eye);
+  set_camera(choice, eye, false);
   EXPECT_FALSE(choice.view_up) << "and goes when it is undone";
+}
+
+TEST(CameraMoves, AFileCamerasLensIsWrittenOut) {
+  scene::CameraChoice choice;
+  set_camera(choice, front_eye(), true);
+  EXPECT_TRUE(choice.view_angle_deg);
 }
 
 TEST(CameraMoves, OrbitFromBelowAnUpAxisOfItsOwnStaysLevel) {
@@ -151,7 +157,7 @@ TEST(CameraMoves, OrbitFromBelowAnUpAxisOfItsOwnStaysLevel) {
   orbit(eye, up, 37, 25);
   scene::CameraChoice choice;
   choice.up = {0, 0, 1};
-  set_camera(choice, eye);
+  set_camera(choice, eye, false);
   EXPECT_FALSE(choice.view_up);
   EXPECT_NEAR(eye.position.z, 10 * std::sin(radians(25.0)), 1e-9);
 }

@@ -91,6 +91,7 @@ void RandomOptions::set_camera(cli::RenderOptions& options) {
     camera.ignore_file_cameras = true;
     camera.position = vector(1e3f);
     if (coin()) camera.focal_point = vector(1e-3f);
+    if (coin()) options.cameras = {whole(3)};
   }
   if (coin()) {
     camera.view_angle_deg = 1.0f + share() * 169.0f;

@@ -106,6 +106,22 @@ TEST(Viewer, AMoveOfNothingKeepsThePicture) {
   }
 }
 
+/// What a file's camera shows must not be cut off by a move.
+TEST(Viewer, AMovedFileCameraKeepsItsPlanes) {
+  Viewer viewer(small());
+  viewer.open({kModels + "room.glb"});
+  const scene::Eye before = viewer.look()->eye;
+  viewer.orbit(3.0, 0.0);
+  viewer.toggle_orthographic();
+  viewer.toggle_orthographic();
+  const scene::Eye after = viewer.look()->eye;
+  EXPECT_LE(after.near_plane, before.near_plane);
+  EXPECT_GE(after.far_plane, before.far_plane);
+  EXPECT_EQ(viewer.active().cameras, std::vector{0});
+  viewer.reset_camera();
+  EXPECT_TRUE(viewer.active().cameras.empty());
+}
+
 TEST(Viewer, TheInspectorTellsOfThePixelThatIsSeen) {
   Viewer viewer(small());
   viewer.open({kModels + "showcase.glb"});

@@ -71,10 +71,10 @@ TEST(RenderOptions, ContradictionsAreRefused) {
             "--turntable: cannot be used together with --frames");
   EXPECT_EQ(complaint_after_file({"--time", "1", "--frames", "0:3"}),
             "--time: cannot be used together with --frames");
-  EXPECT_EQ(complaint_after_file({"--camera-index", "0", "--camera-position", "1,2,3"}),
-            "--camera-index: cannot be used together with --camera-position");
-  EXPECT_EQ(complaint_after_file({"--camera-index", "0", "--camera-focal-point", "1,2,3"}),
-            "--camera-index: cannot be used together with --camera-focal-point");
+  EXPECT_EQ(complaint_after_file({"--camera-index", "0,1", "--camera-position", "1,2,3"}),
+            "--camera-index: several cannot be used together with --camera-position");
+  EXPECT_EQ(complaint_after_file({"--camera-index", "all", "--camera-focal-point", "1,2,3"}),
+            "--camera-index: several cannot be used together with --camera-focal-point");
   EXPECT_EQ(complaint_after_file({"--camera-position", "1,2,3", "--camera-focal-point", "1,2,3"}),
             "--camera-focal-point: is the same point as --camera-position");
 }
@@ -91,6 +91,7 @@ TEST(RenderOptions, NeedsAreNamed) {
 
 TEST(RenderOptions, AnEyeOfTheUserReplacesTheFilesCameras) {
   EXPECT_TRUE(parse({"--camera-position", "1,2,3"}).settings.camera.ignore_file_cameras);
+  EXPECT_EQ(parse({"--camera-position", "1,2,3", "--camera-index", "4"}).cameras, std::vector{4});
   EXPECT_TRUE(parse({"--camera-focal-point", "1,2,3"}).settings.camera.ignore_file_cameras);
   EXPECT_FALSE(parse({"--camera-view-angle", "40"}).settings.camera.ignore_file_cameras);
 }
