@@ -36,7 +36,7 @@ function(barrido_install_headers folder)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder}/ OUTPUT_VARIABLE headers)
   install(FILES ${headers} DESTINATION ${BARRIDO_HEADER_DIR}/${folder})
 endfunction()
-barrido_install_headers(raster fragment_batch.h fragment_state.h framebuffer.h portable_math.h primitive.h
+barrido_install_headers(raster fragment_batch.h fragment_state.h framebuffer.h memory.h portable_math.h primitive.h
                         rasterizer.h simd_target.h stage_profile.h texture.h)
 barrido_install_headers(pipeline geometry.h matrix.h renderer.h state.h)
 barrido_install_headers(pipeline/scene animate.h environment.h error.h image_io.h import_gltf.h render_scene.h

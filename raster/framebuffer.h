@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstdint>
-#include <new>
-#include <vector>
+
+#include "raster/memory.h"
 
 namespace barrido::raster {
 
@@ -37,23 +37,6 @@ struct FramebufferOptions {
   bool keep_depth = true;    ///< Keep the depth values for reading after the frame.
   DisplayTransform display;  ///< rgba32f only: how float colours become the 8-bit picture.
 };
-
-/// Memory that begins at a cache line, so that whole lines of a frame can be written past the caches.
-template <class T>
-struct CacheLineAllocator {
-  using value_type = T;
-  static constexpr std::align_val_t kAlignment{64};
-
-  CacheLineAllocator() = default;
-  template <class U>
-  CacheLineAllocator(const CacheLineAllocator<U>&) {
-  }  // NOLINT(google-explicit-constructor): as allocators are
-  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), kAlignment)); }
-  void deallocate(T* memory, std::size_t) { ::operator delete(memory, kAlignment); }
-  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
-};
-template <class T>
-using PixelArray = std::vector<T, CacheLineAllocator<T>>;
 
 /// Colour and depth of one frame. All arrays are width × height, row-major, top row first.
 class Framebuffer {

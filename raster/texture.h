@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "raster/memory.h"
+
 namespace barrido::raster {
 
 /// GL_TEXTURE_MIN_FILTER (OpenGL 1.3, section 3.8.8).
@@ -116,7 +118,7 @@ class Texture {
   int level_count_ = 0;
   std::vector<MipLevel> levels_;  // level-major: level × face_count_ + face
   TexelLevels texel_levels_{};
-  std::vector<std::uint8_t> data_;
+  UnclearedArray<std::uint8_t> data_;
 };
 
 }  // namespace barrido::raster

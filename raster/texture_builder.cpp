@@ -1,7 +1,9 @@
 #include "raster/texture_builder.h"
 
 #include <algorithm>
+#include <cstring>
 
+#include "raster/parallel_rows.h"
 #include "raster/texture_srgb.h"
 
 namespace barrido::raster {
@@ -28,10 +30,10 @@ void load_row(const std::uint8_t* bytes, int width, Encoding encoding, std::uint
 template <class Channel>
 void load_interior(const Pixels8& pixels, Encoding encoding, const LevelView<Channel>& level) {
   const std::size_t row_bytes = static_cast<std::size_t>(pixels.width) * 4;
-  for (int j = 0; j < pixels.height; ++j) {
+  for_each_row(pixels.width, pixels.height, [&](int j) {
     load_row(pixels.rgba.data() + static_cast<std::size_t>(j) * row_bytes, pixels.width, encoding,
              level.at(0, j));
-  }
+  });
 }
 
 /// The border colour is given in linear light, so it is never decoded.
@@ -104,6 +106,19 @@ void TextureBuilder::lay_out(Texture& texture, std::span<const Pixels8> base_lev
   ++texture.level_count_;
   texture.texel_levels_ = list_levels(texture);
   texture.data_.resize(bytes + row_bytes + kPaddingTexels * texel_bytes);
+  clear_between_levels(texture, texel_bytes);
+}
+
+/// The levels, aprons included, are written whole; what lies between and behind them may be read along.
+void TextureBuilder::clear_between_levels(Texture& texture, std::size_t texel_bytes) {
+  for (std::size_t i = 0; i < texture.levels_.size(); ++i) {
+    const MipLevel& level = texture.levels_[i];
+    const std::size_t end = level.offset_bytes + static_cast<std::size_t>(level.pitch_texels) *
+                                                     static_cast<std::size_t>(level.height + 2) * texel_bytes;
+    const bool is_last = i + 1 == texture.levels_.size();
+    const std::size_t next = is_last ? texture.data_.size() : texture.levels_[i + 1].offset_bytes;
+    std::memset(texture.data_.data() + end, 0, next - end);
+  }
 }
 
 template <class Channel>

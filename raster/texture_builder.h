@@ -18,6 +18,7 @@ class TextureBuilder {
 
  private:
   static void lay_out(Texture& texture, std::span<const Pixels8> base_levels, bool complete_chain);
+  static void clear_between_levels(Texture& texture, std::size_t texel_bytes);
   template <class Channel>
   static void fill(Texture& texture, std::span<const Pixels8> base_levels);
   template <class Channel>

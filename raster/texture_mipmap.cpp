@@ -1,5 +1,6 @@
 // Mip chains: enters a level's interior, leaves the next level's. Integer arithmetic throughout, so the same
 // texels everywhere. Knows nothing of aprons, encodings or faces.
+#include "raster/parallel_rows.h"
 #include "raster/texture_level.h"
 
 namespace barrido::raster {
@@ -63,18 +64,17 @@ void weighted_mean(const LevelView<Channel>& full, const Footprint& across, cons
 template <class Channel>
 void halve_level(const LevelView<Channel>& full, const LevelView<Channel>& half) {
   if (full.width % 2 == 0 && full.height % 2 == 0) {
-    for (int j = 0; j < half.height; ++j) {
+    return for_each_row(half.width, half.height, [&](int j) {
       halve_even_row<Channel>(full.at(0, 2 * j), full.at(0, 2 * j + 1), half.at(0, j), half.width);
-    }
-    return;
+    });
   }
   const std::uint64_t total = total_weight(full.width) * total_weight(full.height);
-  for (int j = 0; j < half.height; ++j) {
+  for_each_row(half.width, half.height, [&](int j) {
     const Footprint down = footprint(full.height, j);
     for (int i = 0; i < half.width; ++i) {
       weighted_mean(full, footprint(full.width, i), down, total, half.at(i, j));
     }
-  }
+  });
 }
 
 template void halve_level(const LevelView<std::uint8_t>&, const LevelView<std::uint8_t>&);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -18,33 +20,71 @@ constexpr double kEyeElevationDeg = 18.0;
 constexpr double kMargin = 1.05;
 constexpr int kFramingMoments = 9;
 
-template <class Function>
-void for_each_point(std::span<const float> positions, const glm::dmat4& world_from_object,
-                    Function&& function) {
+/// Adds points to `gathered`, which is the same whatever their order.
+template <class Gathered>
+void add_points(std::span<const float> positions, const glm::dmat4& world_from_object, Gathered& gathered) {
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
-    const glm::dvec3 p(world_from_object * glm::dvec4(positions[i], positions[i + 1], positions[i + 2], 1.0));
-    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) function(p);
+    // Adding 0 turns −0 into 0, so that of equal numbers it does not matter which one is kept.
+    const glm::dvec3 p =
+        glm::dvec3(world_from_object * glm::dvec4(positions[i], positions[i + 1], positions[i + 2], 1.0)) +
+        0.0;
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) gathered.add(p);
   }
 }
 
-/// Calls `function` with every posed vertex in world space.
-template <class Function>
-void for_each_point(const Scene& scene, std::span<const int> nodes, const Pose& pose, Function&& function) {
-  for (const int node : nodes) {
-    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-    if (mesh == kNone) continue;
-    const glm::dmat4 world_from_node(pose.world_from_node[static_cast<std::size_t>(node)]);
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
-      if (is_deformed(scene, node, primitive)) {
-        const DeformedVertices deformed = deform(scene, pose, node, primitive);
-        for_each_point(deformed.positions, deformed.in_world_space ? glm::dmat4(1.0) : world_from_node,
-                       function);
-      } else {
-        for_each_point(primitive.positions.values(), world_from_node, function);
+/// `empty` with every vertex of these nodes in world space; Gathered has add(point) and join(gathered).
+template <class Gathered>
+Gathered gather_points(const Scene& scene, std::span<const int> nodes, const Pose& pose,
+                       const Gathered& empty) {
+  using Range = tbb::blocked_range<std::size_t>;
+  const auto add_nodes = [&](const Range& range, Gathered gathered) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const int node = nodes[i];
+      const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+      if (mesh == kNone) continue;
+      const glm::dmat4 world_from_node(pose.world_from_node[static_cast<std::size_t>(node)]);
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
+        if (is_deformed(scene, node, primitive)) {
+          const DeformedVertices deformed = deform(scene, pose, node, primitive);
+          add_points(deformed.positions, deformed.in_world_space ? glm::dmat4(1.0) : world_from_node,
+                     gathered);
+        } else {
+          add_points(primitive.positions.values(), world_from_node, gathered);
+        }
       }
     }
-  }
+    return gathered;
+  };
+  const auto join = [](Gathered a, const Gathered& b) {
+    a.join(b);
+    return a;
+  };
+  return tbb::parallel_reduce(Range(0, nodes.size()), empty, add_nodes, join);
 }
+
+struct BoxGatherer {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  glm::dvec3 low{kInfinity}, high{-kInfinity};
+
+  void add(const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  void join(const BoxGatherer& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+};
+
+struct RadiusGatherer {
+  glm::dvec3 center{0.0};
+  double radius_squared = 0.0;
+
+  void add(const glm::dvec3& p) {
+    radius_squared = std::max(radius_squared, glm::dot(p - center, p - center));
+  }
+  void join(const RadiusGatherer& other) { radius_squared = std::max(radius_squared, other.radius_squared); }
+};
 
 /// The highest and lowest place of each radius: the largest radius of every slice of the sphere, at both of
 /// the slice's ends.
@@ -54,7 +94,7 @@ class RingCollector {
 
   void add(const glm::dvec3& p) {
     const glm::dvec3 offset = p - sphere_.center;
-    const double height = glm::dot(offset, up_);
+    const double height = glm::dot(offset, up_) + 0.0;
     const glm::dvec3 across = offset - up_ * height;
     const double place = (height / sphere_.radius * 0.5 + 0.5) * kSlices;
     const auto slice = static_cast<std::size_t>(std::clamp(place, 0.0, kSlices - 1.0));
@@ -62,6 +102,14 @@ class RingCollector {
     s.radius = std::max(s.radius, std::sqrt(glm::dot(across, across)));
     s.low = std::min(s.low, height);
     s.high = std::max(s.high, height);
+  }
+
+  void join(const RingCollector& other) {
+    for (std::size_t i = 0; i < kSlices; ++i) {
+      slices_[i].radius = std::max(slices_[i].radius, other.slices_[i].radius);
+      slices_[i].low = std::min(slices_[i].low, other.slices_[i].low);
+      slices_[i].high = std::max(slices_[i].high, other.slices_[i].high);
+    }
   }
 
   std::vector<glm::dvec2> rings() const {
@@ -86,23 +134,12 @@ class RingCollector {
 };
 
 Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  glm::dvec3 low(kInfinity), high(-kInfinity);
-  for (const Pose& pose : poses) {
-    for_each_point(scene, nodes, pose, [&](const glm::dvec3& p) {
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    });
-  }
-  if (low.x > high.x) return {};
-  Sphere sphere{low * 0.5 + high * 0.5, 0.0};
-  double radius_squared = 0.0;
-  for (const Pose& pose : poses) {
-    for_each_point(scene, nodes, pose, [&](const glm::dvec3& p) {
-      radius_squared = std::max(radius_squared, glm::dot(p - sphere.center, p - sphere.center));
-    });
-  }
-  sphere.radius = std::sqrt(radius_squared);
+  BoxGatherer box;
+  for (const Pose& pose : poses) box = gather_points(scene, nodes, pose, box);
+  if (box.low.x > box.high.x) return {};
+  RadiusGatherer farthest{box.low * 0.5 + box.high * 0.5};
+  for (const Pose& pose : poses) farthest = gather_points(scene, nodes, pose, farthest);
+  Sphere sphere{farthest.center, std::sqrt(farthest.radius_squared)};
   // Below this the model is a point as far as single precision can tell.
   const double smallest = std::sqrt(glm::dot(sphere.center, sphere.center)) * 1e-6;
   if (sphere.radius <= smallest) sphere.radius = smallest > 0.0 ? smallest : 1.0;
@@ -116,9 +153,7 @@ Bounds find_bounds(const Scene& scene, std::span<const int> nodes, std::span<con
   Bounds bounds;
   bounds.sphere = bounding_sphere(scene, nodes, poses);
   RingCollector collector(bounds.sphere, up);
-  for (const Pose& pose : poses) {
-    for_each_point(scene, nodes, pose, [&](const glm::dvec3& p) { collector.add(p); });
-  }
+  for (const Pose& pose : poses) collector = gather_points(scene, nodes, pose, collector);
   bounds.rings = collector.rings();
   return bounds;
 }

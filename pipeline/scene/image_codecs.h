@@ -16,6 +16,11 @@ bool is_jpeg(std::span<const std::uint8_t> bytes);
 
 /// @throws InputError naming `name`.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+/// Fills `image`, whose size is set and whose pixels have been made room for, from a PNG of 8 bits a channel
+/// in one pass, with `channels` 1 (grey), 2 (grey and alpha), 3 (RGB) or 4 (RGBA), without a transparent
+/// colour.
+/// @return false when anything is damaged or unusual; the pixels are then undefined.
+bool decode_plain_png(std::span<const std::uint8_t> file, int channels, Image& image);
 /// Pixels at their full precision, for comparisons: straight RGBA in 0..65535, top row first.
 struct Samples16 {
   int width = 0;

@@ -95,6 +95,14 @@ Context open_png(std::span<const std::uint8_t> bytes, const std::string& name, c
   return context;
 }
 
+/// Whether the file is of the usual kind, and what stands before its data in order.
+bool is_plain(spng_ctx* context, const spng_ihdr& header) {
+  spng_trns transparency{};
+  return header.bit_depth == 8 && header.interlace_method == SPNG_INTERLACE_NONE &&
+         header.color_type != SPNG_COLOR_TYPE_INDEXED &&
+         spng_get_trns(context, &transparency) == SPNG_ECHUNKAVAIL;
+}
+
 /// Of the colours a file can show: a palette's are three, and a transparent colour is an alpha.
 int stored_channels(spng_ctx* context, const spng_ihdr& header) {
   spng_trns transparency{};
@@ -118,6 +126,7 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, c
   image.width = static_cast<int>(header.width);
   image.height = static_cast<int>(header.height);
   image.rgba.resize(std::size_t{header.width} * header.height * 4);
+  if (is_plain(context.get(), header) && decode_plain_png(bytes, channel_count(header), image)) return image;
   if (header.bit_depth == 16) {
     decode_16_bits(context.get(), header, name, image);
   } else {

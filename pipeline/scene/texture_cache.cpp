@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include "pipeline/scene/image_pack.h"
 #include "pipeline/scene/mip_colors.h"
 #include "pipeline/scene/transfer.h"
+#include "raster/parallel_rows.h"
 
 namespace barrido::scene {
 namespace {
@@ -24,18 +30,43 @@ ByteTable multiplied(float factor, raster::Encoding encoding) {
   return table;
 }
 
-std::vector<std::uint8_t> changed(const Image& image, const TexelUse& use) {
+std::vector<std::uint8_t> changed_texels(const Image& image, const TexelUse& use) {
   std::array<ByteTable, 3> tables;
   for (int channel = 0; channel < 3; ++channel) {
     tables[static_cast<std::size_t>(channel)] = multiplied(use.factor[channel], use.encoding);
   }
-  std::vector<std::uint8_t> rgba = image.rgba;
-  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      rgba[i + channel] = tables[channel][rgba[i + channel]];
-    if (use.opaque) rgba[i + 3] = 255;
-  }
-  return rgba;
+  std::vector<std::uint8_t> changed(image.rgba.size());
+  const std::size_t pitch = static_cast<std::size_t>(image.width) * 4;
+  raster::for_each_row(image.width, image.height, [&](int row) {
+    const std::size_t begin = static_cast<std::size_t>(row) * pitch;
+    for (std::size_t i = begin; i < begin + pitch; i += 4) {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        changed[i + channel] = tables[channel][image.rgba[i + channel]];
+      changed[i + 3] = use.opaque ? 255 : image.rgba[i + 3];
+    }
+  });
+  return changed;
+}
+
+/// How often each byte stands in red, green and blue.
+using Histogram = std::array<std::array<std::uint64_t, 256>, 3>;
+
+Histogram color_histogram(std::span<const std::uint8_t> rgba) {
+  using Pixels = tbb::blocked_range<std::size_t>;
+  constexpr std::size_t kPixelsAPiece = std::size_t{1} << 16;
+  const auto count = [rgba](const Pixels& pixels, Histogram histogram) {
+    for (std::size_t i = pixels.begin() * 4; i < pixels.end() * 4; i += 4) {
+      for (std::size_t channel = 0; channel < 3; ++channel) ++histogram[channel][rgba[i + channel]];
+    }
+    return histogram;
+  };
+  const auto join = [](Histogram a, const Histogram& b) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      for (std::size_t byte = 0; byte < 256; ++byte) a[channel][byte] += b[channel][byte];
+    }
+    return a;
+  };
+  return tbb::parallel_reduce(Pixels(0, rgba.size() / 4, kPixelsAPiece), Histogram{}, count, join);
 }
 
 /// A texture of this size whose levels are of one colour each.
@@ -73,10 +104,7 @@ bool TextureCache::usable(int texture) const {
 
 bool TextureCache::has_alpha(int image) {
   const auto [slot, is_new] = has_alpha_.try_emplace(image, false);
-  if (is_new) {
-    const std::vector<std::uint8_t>& rgba = scene_.images[static_cast<std::size_t>(image)].rgba;
-    for (std::size_t i = 3; i < rgba.size() && !slot->second; i += 4) slot->second = rgba[i] != 255;
-  }
+  if (is_new) slot->second = !is_opaque(scene_.images[static_cast<std::size_t>(image)].rgba);
   return slot->second;
 }
 
@@ -102,7 +130,7 @@ raster::Texture TextureCache::build(const Image& image, const TexelUse& use, boo
   if (use.mip_colors) return colored_levels(image.width, image.height, options);
   std::vector<std::uint8_t> own;
   std::span<const std::uint8_t> rgba = image.rgba;
-  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed(image, use);
+  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed_texels(image, use);
   return raster::Texture::make_2d({image.width, image.height, rgba}, options);
 }
 
@@ -119,11 +147,8 @@ glm::vec3 TextureCache::mean(int texture, raster::Encoding encoding) {
   const auto [slot, is_new] = means_.try_emplace({index, encoding}, glm::vec3(0.0f));
   if (!is_new) return slot->second;
   // Histograms first: sums of integers do not depend on the order, and decoding is done 256 times only.
-  std::array<std::array<std::uint64_t, 256>, 3> histogram{};
   const Image& image = scene_.images[static_cast<std::size_t>(index)];
-  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-    for (std::size_t channel = 0; channel < 3; ++channel) ++histogram[channel][image.rgba[i + channel]];
-  }
+  const Histogram histogram = color_histogram(image.rgba);
   const auto texels = static_cast<double>(std::max<std::size_t>(image.rgba.size() / 4, 1));
   for (int channel = 0; channel < 3; ++channel) {
     double sum = 0.0;

@@ -59,7 +59,7 @@ Bytes PngFile::build() const {
   for (const Pass& pass : interlaced ? kAdam7 : std::vector<Pass>{{0, 0, 1, 1}}) {
     if (pass.x0 >= width) continue;
     for (std::uint32_t y = pass.y0; y < height; y += pass.dy) {
-      raw.push_back(0);  // no filter
+      raw.push_back(filters[y % filters.size()]);
       std::uint32_t bits = 0;
       int bit_count = 0;
       for (std::uint32_t x = pass.x0; x < width; x += pass.dx) {
@@ -84,7 +84,13 @@ Bytes PngFile::build() const {
   append_chunk(png, "IHDR", header);
   if (!palette.empty()) append_chunk(png, "PLTE", palette);
   if (!transparency.empty()) append_chunk(png, "tRNS", transparency);
-  append_chunk(png, "IDAT", zlib_stored(raw));
+  const Bytes data = zlib_stored(raw);
+  for (int i = 0; i < data_chunks; ++i) {
+    const auto part = [&](int n) {
+      return data.begin() + static_cast<std::ptrdiff_t>(data.size()) * n / data_chunks;
+    };
+    append_chunk(png, "IDAT", Bytes(part(i), part(i + 1)));
+  }
   append_chunk(png, "IEND", {});
   return png;
 }

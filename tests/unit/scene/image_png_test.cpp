@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "image_test_support.h"
+#include "pipeline/scene/image_codecs.h"
 
 namespace barrido::scene::test {
 namespace {
@@ -66,6 +67,33 @@ TEST(DecodePng, EveryColorTypeAndDepthRounded) {
       }
     }
   }
+}
+
+/// Two decoders, one for the usual kind of file and one for all, must agree.
+TEST(DecodePng, EveryFilterIsUndone) {
+  for (const std::uint8_t color_type : {0, 2, 4, 6}) {
+    for (const int data_chunks : {1, 3}) {
+      SCOPED_TRACE(testing::Message() << "colour type " << int{color_type} << ", chunks " << data_chunks);
+      PngFile file = file_of({color_type, 8}, false);
+      file.filters = {4, 1, 2, 3, 4, 0, 3, 1, 4, 4, 2};  // the first row has nothing above it
+      file.data_chunks = data_chunks;
+      const Bytes png = file.build();
+      const Image image = decode_image(png, "x.png");
+      const Samples16 exact = decode_png_16(png, "x.png", {});
+      ASSERT_EQ(image.rgba.size(), exact.rgba.size());
+      for (std::size_t i = 0; i < image.rgba.size(); ++i) ASSERT_EQ(image.rgba[i] * 257, exact.rgba[i]) << i;
+    }
+  }
+}
+
+TEST(DecodePng, WrongFiltersAndChecksumsAreRefused) {
+  PngFile file = file_of({6, 8}, false);
+  file.filters = {0, 5};
+  EXPECT_NE(message_of([&] { decode_image(file.build(), "x.png"); }).find("damaged PNG"), std::string::npos);
+  file.filters = {1};
+  Bytes png = file.build();
+  png[png.size() - 12 - 4 - 1] ^= 1;  // the last byte of IDAT's data, under its own checksum
+  EXPECT_NE(message_of([&] { decode_image(png, "x.png"); }).find("damaged PNG"), std::string::npos);
 }
 
 TEST(DecodePng, PalettesOfEveryDepthWithTransparency) {

@@ -101,6 +101,8 @@ struct PngFile {
   bool interlaced = false;
   Bytes palette;       ///< RGB triples
   Bytes transparency;  ///< tRNS
+  Bytes filters{0};    ///< Row y is marked with filters[y % size]; the samples are stored as they are.
+  int data_chunks = 1;
   /// Sample of channel c at (x, y), in [0, 2^bit_depth).
   std::function<std::uint32_t(std::uint32_t x, std::uint32_t y, int c)> sample;
 
