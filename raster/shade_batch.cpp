@@ -26,6 +26,9 @@ void shade_batch(TileWorkspace& workspace) {
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_active(state, unit)) continue;
+    if (needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
+      find_levels_of_detail(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch);
+    }
     workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.texel);
     combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
@@ -38,6 +41,7 @@ void shade_batch(TileWorkspace& workspace) {
   workspace.statistics.fragments_shaded += static_cast<std::uint64_t>(batch.count);
   batch.count = 0;
   batch.run_count = 0;
+  workspace.lod_group_count = 0;
 }
 
 }  // namespace barrido::raster

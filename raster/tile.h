@@ -63,9 +63,26 @@ struct VisibleRun {
   std::int32_t next;  ///< Next run of the same primitive, or -1.
 };
 
+/// What a texture unit's level of detail depends on, for every group of four pixels of a row (columns 4n … 4n
+/// + 3 of the tile) that fragments of the batch come from, run by run: two coordinates and what they are
+/// divided by, or the three of a cube map, at the group's centre, with their screen derivatives.
+struct LodGroups {
+  alignas(64) float value[3][kBatchStride];
+  alignas(64) float dx[3][kBatchStride];
+  alignas(64) float dy[3][kBatchStride];
+};
+
+/// Groups that `count` pixels from column x on come from.
+constexpr int lod_groups_in(int x, int count) { return ((x + count - 1) >> 2) - (x >> 2) + 1; }
+
+/// 1/w of a fragment counts as at least this.
+inline constexpr float kSmallestQ = 1e-30f;
+
 struct TileWorkspace {
   TileSurface surface;
   FragmentBatch batch;
+  LodGroups lod_groups[kMaxTextureUnits];
+  int lod_group_count = 0;  ///< The same for all units.
   /// Results of the texture unit that is being sampled.
   alignas(64) float texel[4][kBatchStride];
   /// Primary colours, for texture environments that ask for them after the first unit.

@@ -1,6 +1,6 @@
 // The interpolation along the scanline: appends a run of pixels of one span to the fragment batch. Enters:
-// the planes and their values at the span's first pixel. Leaves: perspective-correct varyings, depth and
-// level of detail.
+// the planes and their values at the span's first pixel. Leaves: perspective-correct varyings, depth, and
+// what the level of detail depends on.
 #if defined(BARRIDO_INTERPOLATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_INTERPOLATE_INL_H
 #undef BARRIDO_INTERPOLATE_INL_H
@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/planes-inl.h"
@@ -20,9 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-inline constexpr float kSmallestQ = 1e-30f;
-inline constexpr float kLargestFootprint = 1e30f;
 
 /// A span ready for interpolation: columns relative to the tile, values of all quantities at `anchor`.
 struct InterpolatedSpan {
@@ -80,135 +78,37 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
   }
 }
 
-/// A quantity and its screen derivatives at the centres of groups of four pixels.
-template <class V>
-struct Differential {
-  V value, dx, dy;
-};
-
-template <class V>
-HWY_INLINE V half_log2_of_footprint(V ux, V vx, V uy, V vy) {
-  const hn::DFromV<V> d;
-  const auto a = hn::Add(hn::Mul(ux, ux), hn::Mul(vx, vx));
-  const auto b = hn::Add(hn::Mul(uy, uy), hn::Mul(vy, vy));
-  const auto limit = hn::Set(d, kLargestFootprint);
-  const auto larger = hn::IfThenElse(hn::Gt(a, b), a, b);
-  const auto bounded = hn::IfThenElse(hn::Lt(larger, limit), larger, limit);  // a NaN becomes the limit
-  return hn::Mul(hn::Set(d, 0.5f), barrido::HWY_NAMESPACE::Log2(d, bounded));
+/// The quantities that a unit's level of detail depends on; for affine coordinates the last does not count.
+inline std::array<int, 3> lod_quantities(const VaryingLayout& layout, int unit) {
+  const auto u = static_cast<std::size_t>(unit);
+  const int s = kRecordVaryings + layout.texcoord[u];
+  return {s, s + 1, layout.texcoord_kind[u] == TexcoordKind::plain ? kRecordQ : s + 2};
 }
 
-/// λ of a two-dimensional texture; Q is what S and T are divided by.
-template <class V>
-HWY_INLINE V lod_2d(const Differential<V>& s, const Differential<V>& t, const Differential<V>& q, V w,
-                    float width, float height) {
-  const hn::DFromV<V> d;
-  const auto scale_u = hn::Set(d, width);
-  const auto scale_v = hn::Set(d, height);
-  const auto u = hn::Mul(s.value, w);
-  const auto v = hn::Mul(t.value, w);
-  const auto ux = hn::Mul(hn::Mul(hn::Sub(s.dx, hn::Mul(u, q.dx)), w), scale_u);
-  const auto uy = hn::Mul(hn::Mul(hn::Sub(s.dy, hn::Mul(u, q.dy)), w), scale_u);
-  const auto vx = hn::Mul(hn::Mul(hn::Sub(t.dx, hn::Mul(v, q.dx)), w), scale_v);
-  const auto vy = hn::Mul(hn::Mul(hn::Sub(t.dy, hn::Mul(v, q.dy)), w), scale_v);
-  return half_log2_of_footprint(ux, vx, uy, vy);
-}
-
-/// λ of a cube map of `size`² faces, by the face that (S, T, R) points to (OpenGL 1.3, table 3.19).
-template <class V>
-HWY_INLINE V lod_cube(const Differential<V>& s, const Differential<V>& t, const Differential<V>& r,
-                      float size) {
-  const hn::DFromV<V> d;
-  const auto as = hn::Abs(s.value);
-  const auto at = hn::Abs(t.value);
-  const auto ar = hn::Abs(r.value);
-  const auto is_x = hn::And(hn::Ge(as, at), hn::Ge(as, ar));
-  const auto is_y = hn::And(hn::Not(is_x), hn::Ge(at, ar));
-  const auto pick = [&](auto x, auto y, auto z)
-                        HWY_ATTR { return hn::IfThenElse(is_x, x, hn::IfThenElse(is_y, y, z)); };
-  // The signs of sc and tc do not change the length of the footprint; |ma| has the sign of ma in its
-  // derivative.
-  const auto ma = pick(s.value, t.value, r.value);
-  const auto sign_ma = hn::CopySign(hn::Set(d, 1.0f), ma);
-  const auto w = hn::Div(hn::Set(d, 1.0f), hn::Abs(ma));
-  const auto mx = hn::Mul(pick(s.dx, t.dx, r.dx), sign_ma);
-  const auto my = hn::Mul(pick(s.dy, t.dy, r.dy), sign_ma);
-  const auto u = hn::Mul(pick(r.value, s.value, s.value), w);
-  const auto v = hn::Mul(pick(t.value, r.value, t.value), w);
-  const auto half = hn::Set(d, 0.5f);
-  const auto scale = hn::Set(d, size);
-  const auto derivative = [&](auto c, auto uv, auto m) HWY_ATTR {
-    return hn::Mul(hn::Mul(hn::Mul(hn::Sub(c, hn::Mul(uv, m)), w), half), scale);
-  };
-  return half_log2_of_footprint(
-      derivative(pick(r.dx, s.dx, s.dx), u, mx), derivative(pick(t.dx, r.dx, t.dx), v, mx),
-      derivative(pick(r.dy, s.dy, s.dy), u, my), derivative(pick(t.dy, r.dy, t.dy), v, my));
-}
-
-/// Whether the unit's filters depend on the level of detail.
-inline bool needs_lod(const TextureUnit& unit) {
-  return !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
-           (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
-}
-
-/// Gives each of `count` pixels from column x on the value of its group of four; up to three more are
-/// written.
-HWY_INLINE void spread_over_groups(const float* group_values, int x, int count, float* out) {
-  const hn::FixedTag<float, 4> d4;
-  const int in_first = std::min(4 - (x & 3), count);
-  for (int i = 0; i < in_first; ++i) out[i] = group_values[0];
-  for (int i = in_first, g = 1; i < count; i += 4, ++g) hn::StoreU(hn::Set(d4, group_values[g]), d4, out + i);
-}
-
-/// λ per group of four pixels, then spread over the run's fragments.
-HWY_INLINE void interpolate_lod(const InterpolatedSpan& span, const FragmentState& state, int unit, int x,
-                                int count, FragmentBatch& batch, int at) {
+/// Appends the run's groups of four pixels to the unit's groups: what their level of detail depends on.
+HWY_INLINE void append_lod_groups(const InterpolatedSpan& span, const FragmentState& state, int unit, int x,
+                                  int count, LodGroups& groups, int at) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const VaryingLayout& layout = state.varyings;
-  const Texture& texture = *state.texture_units[static_cast<std::size_t>(unit)].texture;
-  const TexcoordKind kind = layout.texcoord_kind[static_cast<std::size_t>(unit)];
-  const int varying = layout.texcoord[static_cast<std::size_t>(unit)];
-  const Planes& planes = *span.planes;
-  const int first_group = x & ~3;
-  const int groups = ((x + count - 1 - first_group) >> 2) + 1;
-  alignas(64) float group_lod[kTileWidth / 4 + kBatchPadding];
-  for (int g = 0; g < groups; g += lanes) {
+  const std::array<int, 3> quantities = lod_quantities(state.varyings, unit);
+  const int first = x & ~3;
+  const int group_count = lod_groups_in(x, count);
+  for (int g = 0; g < group_count; g += lanes) {
     auto center =
         hn::Add(hn::Mul(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
-                hn::Set(d, static_cast<float>(first_group) + 1.5f));
+                hn::Set(d, static_cast<float>(first) + 1.5f));
     center = barrido::HWY_NAMESPACE::minimum(
         barrido::HWY_NAMESPACE::maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
         hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));
-    using Value = decltype(k + k);
-    const auto quantity = [&](int i) HWY_ATTR {
-      const auto dx = hn::Set(d, planes.slope_x[i]);
-      return Differential<Value>{hn::Add(hn::Set(d, span.row[i]), hn::Mul(dx, k)), dx,
-                                 hn::Set(d, planes.slope_y[i])};
-    };
-    const auto s = quantity(kRecordVaryings + varying);
-    const auto t = quantity(kRecordVaryings + varying + 1);
-    const auto width = static_cast<float>(texture.width());
-    const auto height = static_cast<float>(texture.height());
-    Value lod;
-    if (kind == TexcoordKind::cube) {
-      lod = lod_cube(s, t, quantity(kRecordVaryings + varying + 2), width);
-    } else if (kind == TexcoordKind::projective) {
-      const auto q = quantity(kRecordVaryings + varying + 2);
-      lod = lod_2d(s, t, q, hn::Div(hn::Set(d, 1.0f), q.value), width, height);
-    } else if (varying < layout.affine_count) {
-      const auto zero = hn::Zero(d);
-      lod = lod_2d(s, t, Differential<Value>{zero, zero, zero}, hn::Set(d, 1.0f), width, height);
-    } else {
-      const auto q = quantity(kRecordQ);
-      lod =
-          lod_2d(s, t, q,
-                 hn::Div(hn::Set(d, 1.0f), barrido::HWY_NAMESPACE::maximum(q.value, hn::Set(d, kSmallestQ))),
-                 width, height);
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      const int quantity = quantities[i];
+      const auto dx = hn::Set(d, span.planes->slope_x[quantity]);
+      hn::StoreU(hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(dx, k)), d, groups.value[i] + at + g);
+      hn::StoreU(dx, d, groups.dx[i] + at + g);
+      hn::StoreU(hn::Set(d, span.planes->slope_y[quantity]), d, groups.dy[i] + at + g);
     }
-    hn::Store(lod, d, group_lod + g);
   }
-  spread_over_groups(group_lod, x, count, batch.lod[unit] + at);
 }
 
 /// One value for each of `channels` arrays, for `count` fragments from `at` on.

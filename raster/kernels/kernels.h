@@ -12,6 +12,15 @@ void rasterize_tile(const TileJob& job, TileWorkspace& workspace);
 /// Shades all fragments of workspace.batch, writes them to workspace.surface and empties the batch.
 void shade_batch(TileWorkspace& workspace);
 
+/// Whether the unit's filters depend on the level of detail.
+inline bool needs_lod(const TextureUnit& unit) {
+  return !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
+           (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
+}
+
+/// Level of detail of every fragment of the batch for `unit`, from `group_count` groups.
+void find_levels_of_detail(const LodGroups& groups, int group_count, int unit, FragmentBatch& batch);
+
 /// Samples `unit`'s texture for every fragment of the batch: texel[channel][fragment] in [0, 1].
 /// @return texels read.
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]);

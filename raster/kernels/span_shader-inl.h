@@ -226,9 +226,7 @@ class SpanShader {
       const int count = std::min(end - begin, kBatchCapacity - at);
       interpolate_varyings(span_, layout, begin, count, batch, at);
       if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
-      for (unsigned units = lod_units_; units != 0; units &= units - 1) {
-        interpolate_lod(span_, state, __builtin_ctz(units), begin, count, batch, at);
-      }
+      if (lod_units_ != 0) append_lod(begin, count);
       if (state.illumination.function == nullptr)
         fill_flat(flat_colors(*chunk_, *primitive_), state, count, batch, at);
       batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
@@ -237,6 +235,15 @@ class SpanShader {
       begin += count;
       if (batch.count == kBatchCapacity) flush();
     }
+  }
+
+  void append_lod(int begin, int count) {
+    for (unsigned units = lod_units_; units != 0; units &= units - 1) {
+      const int unit = __builtin_ctz(units);
+      append_lod_groups(span_, *chunk_->state, unit, begin, count, workspace_.lod_groups[unit],
+                        workspace_.lod_group_count);
+    }
+    workspace_.lod_group_count += lod_groups_in(begin, count);
   }
 
   TileWorkspace& workspace_;
