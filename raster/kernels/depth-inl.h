@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include <type_traits>
+
 #include "raster/kernels/simd_math-inl.h"
 
 #include "raster/kernels/lanes-inl.h"
@@ -121,11 +123,14 @@ struct DepthRule {
   }
 };
 
+/// The usual one: `less`, with writing, of depths that need no clamping.
+struct UsualDepthRule {};
+
 /// Tests columns [begin, end) of a row and calls passed(x, mask) for each vector of pixels; writes
-/// the depth where the test passes. kUsual: `less`, with writing, of depths that need no clamping.
-template <bool kUsual, class Passed>
-HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDepth& depth, int begin,
-                           int end, Passed&& passed) {
+/// the depth where the test passes.
+template <class Rule, class Passed>
+HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& depth, int begin, int end,
+                           Passed&& passed) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto row = hn::Set(d, depth.row);
@@ -136,7 +141,7 @@ HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDe
     auto mask = columns_mask(d, x, begin, end);
     auto z = hn::Add(row, hn::Mul(slope, column));
     const auto stored = hn::LoadU(d, depth_row + x);
-    if constexpr (kUsual) {
+    if constexpr (std::is_same_v<Rule, UsualDepthRule>) {
       mask = hn::And(mask, hn::Lt(z, stored));
       hn::BlendedStore(z, mask, d, depth_row + x);
     } else {
@@ -152,11 +157,10 @@ HWY_INLINE void test_depth(const DepthRule& rule, float* depth_row, const SpanDe
 template <class Passed>
 HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
                            int begin, int end, Passed&& passed) {
-  const DepthRule rule(state, write);
   if (state.test && state.compare == Compare::less && write && within_unit(depth, begin, end)) {
-    test_depth<true>(rule, depth_row, depth, begin, end, passed);
+    test_depth(UsualDepthRule(), depth_row, depth, begin, end, passed);
   } else {
-    test_depth<false>(rule, depth_row, depth, begin, end, passed);
+    test_depth(DepthRule(state, write), depth_row, depth, begin, end, passed);
   }
 }
 

@@ -93,12 +93,13 @@ class SpanShader {
     std::size_t passed = 0;
     with_pixels([&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
-      test_depth(state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
-                 end, [&](int x, auto mask) HWY_ATTR {
-                   if (hn::AllFalse(d, mask)) return;
-                   passed += hn::CountTrue(d, mask);
-                   pixels(to, x, mask);
-                 });
+      test_depth(
+          state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
+          end, [&](int x, auto mask) HWY_ATTR __attribute__((always_inline)) {
+            if (hn::AllFalse(d, mask)) return;
+            passed += hn::CountTrue(d, mask);
+            pixels(to, x, mask);
+          });
     });
     count_shaded(static_cast<int>(passed));
   }
@@ -185,12 +186,13 @@ class SpanShader {
     bool all = true;
     int first_column = x_begin;
     int vectors = 0;
-    test_depth(chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth,
-               span_depth(), x_begin, x_end, [&](int x, auto mask) HWY_ATTR {
-                 if (vectors == 0) first_column = x;
-                 passed[vectors++] = mask_bits(d, mask);
-                 all = all && hn::AllTrue(d, hn::Or(mask, hn::Not(columns_mask(d, x, x_begin, x_end))));
-               });
+    test_depth(
+        chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
+        x_begin, x_end, [&](int x, auto mask) HWY_ATTR __attribute__((always_inline)) {
+          if (vectors == 0) first_column = x;
+          passed[vectors++] = mask_bits(d, mask);
+          all = all && hn::AllTrue(d, hn::Or(mask, hn::Not(columns_mask(d, x, x_begin, x_end))));
+        });
     if (all) return append(row, x_begin, x_end);
     append_runs(row, first_column, x_end, passed, lanes);
   }
