@@ -22,6 +22,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// How many triangles of a chunk are asked how much of the tile they cover.
 inline constexpr std::size_t kSampledTriangles = 48;
 
+/// Pixels of a triangle below which resolving visibility first costs more than it saves.
+inline constexpr std::int64_t kWorthASecondLook = 6;
+
 /// Opaque triangles: what is behind a fragment that passes its tests does not matter.
 bool hides_what_is_behind(const PrimitiveChunk& chunk) {
   return chunk.topology == Topology::triangles && is_opaque(*chunk.state);
@@ -69,16 +72,19 @@ class TileRasterizer {
     return binned.primitives_in(job_.column, job_.row);
   }
 
-  /// Whether the triangles of chunks [begin, end) are likely to cover the tile more than once. In the tile a
-  /// triangle counts for its area or for half of its bounding box's part there, whichever is less; of many
-  /// triangles some dozens are asked. A rule of speed alone; both ways give the same bits.
+  /// Whether the triangles of chunks [begin, end) are likely to cover the tile more than once, with so many
+  /// pixels each that the shading saved is worth a second look at each triangle. In the tile a triangle
+  /// counts for its area or for half of its bounding box's part there, whichever is less; of many triangles
+  /// some dozens are asked. A rule of speed alone; both ways give the same bits.
   bool overlaps(std::size_t begin, std::size_t end) const {
     constexpr std::int64_t kTwoPixels = 2 * kSubpixelUnits * kSubpixelUnits;  // as signed_area counts
     std::int64_t covered = 0;
+    std::int64_t triangles = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const PrimitiveChunk& chunk = (*job_.chunks)[i]->chunk();
       const std::span<const std::uint16_t> numbers = primitives_of(*(*job_.chunks)[i]);
       const std::size_t step = numbers.size() / kSampledTriangles + 1;
+      triangles += static_cast<std::int64_t>(numbers.size());
       for (std::size_t k = 0; k < numbers.size(); k += step) {
         const PrimitiveRecord& p = chunk.primitives[numbers[k]];
         TriangleBox box;
@@ -89,7 +95,8 @@ class TileRasterizer {
                    std::min(std::abs(signed_area(p)), box_pixels * (kTwoPixels / 2));
       }
     }
-    return 2 * covered > 3 * kTwoPixels * tile_.width * tile_.height;
+    return 2 * covered > 3 * kTwoPixels * tile_.width * tile_.height &&
+           covered > kWorthASecondLook * kTwoPixels * triangles;
   }
 
   /// All shading in drawing order: blending, alpha test, or nothing to gain from resolving visibility first.
