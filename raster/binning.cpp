@@ -10,7 +10,7 @@ namespace {
 int first_centre(std::int32_t coordinate) { return (coordinate + kSubpixelUnits / 2 - 1) >> kSubpixelBits; }
 
 /// Bounds of triangles are exact; points and lines get a margin of their width.
-PixelBox unclipped_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
+PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
   if (chunk.topology == Topology::triangles) {
     const auto [x_min, x_max] = std::minmax({p.x[0], p.x[1], p.x[2]});
     const auto [y_min, y_max] = std::minmax({p.y[0], p.y[1], p.y[2]});
@@ -25,21 +25,22 @@ PixelBox unclipped_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
           (std::max(p.y[0], p.y[last]) >> kSubpixelBits) + margin + 1};
 }
 
-PixelBox tiles_of(const PixelBox& pixels) {
-  return {pixels.x_begin / kTileWidth, pixels.y_begin / kTileHeight, (pixels.x_end - 1) / kTileWidth + 1,
-          (pixels.y_end - 1) / kTileHeight + 1};
-}
-
-}  // namespace
-
+/// Pixels whose centres the primitive's bounding box holds, cut to the frame.
 PixelBox pixel_box(const PrimitiveRecord& primitive, const PrimitiveChunk& chunk, const TileGrid& grid) {
-  PixelBox box = unclipped_box(primitive, chunk);
+  PixelBox box = unpixel_box(primitive, chunk);
   box.x_begin = std::max(box.x_begin, 0);
   box.y_begin = std::max(box.y_begin, 0);
   box.x_end = std::min(box.x_end, grid.frame_width);
   box.y_end = std::min(box.y_end, grid.frame_height);
   return box;
 }
+
+PixelBox tiles_of(const PixelBox& pixels) {
+  return {pixels.x_begin / kTileWidth, pixels.y_begin / kTileHeight, (pixels.x_end - 1) / kTileWidth + 1,
+          (pixels.y_end - 1) / kTileHeight + 1};
+}
+
+}  // namespace
 
 BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid) : chunk_(std::move(chunk)) {
   const std::size_t count = chunk_.primitives.size();

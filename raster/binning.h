@@ -16,9 +16,6 @@ struct PixelBox {
   bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
 };
 
-/// Pixels whose centres the primitive's bounding box holds, cut to the frame.
-PixelBox pixel_box(const PrimitiveRecord& primitive, const PrimitiveChunk& chunk, const TileGrid& grid);
-
 /// A chunk with, for each tile of the box of tiles it touches, the numbers of its primitives in order.
 class BinnedChunk {
  public:

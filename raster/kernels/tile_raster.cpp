@@ -1,6 +1,8 @@
 // One tile from its primitives: spans, depth test, visibility, interpolation; whole batches of fragments go
 // on to shade_batch. Two ways lead to the same bits: opaque primitives that overlap are first resolved to the
 // span seen in each pixel and every pixel is shaded once; all others are shaded in drawing order.
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -106,8 +108,10 @@ class TileRasterizer {
     shader_.begin_chunk(chunk);
     const bool takes_blocks = chunk.topology == Topology::triangles && shader_.takes_blocks();
     TriangleBlocks blocks(workspace_.surface, tile_, scissor, chunk.state->depth);
-    for (const std::uint16_t number : primitives_of(binned)) {
-      const PrimitiveRecord& p = chunk.primitives[number];
+    const std::span<const std::uint16_t> numbers = primitives_of(binned);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      prefetch(chunk, numbers, i);
+      const PrimitiveRecord& p = chunk.primitives[numbers[i]];
       shader_.begin_primitive(p);
       if (takes_blocks && draw_blocks(blocks, p)) continue;
       for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
@@ -122,6 +126,17 @@ class TileRasterizer {
       // A later primitive's depth test must see what the alpha test lets through.
       if (chunk.state->alpha_test.enabled) shader_.flush();
     }
+  }
+
+  /// The records of primitives a little ahead, and their vertices', which stand anywhere in memory.
+  static HWY_INLINE void prefetch(const PrimitiveChunk& chunk, std::span<const std::uint16_t> numbers,
+                                  std::size_t i) {
+    constexpr std::size_t kAhead = 6;
+    if (i + 2 * kAhead >= numbers.size()) return;
+    hwy::Prefetch(&chunk.primitives[numbers[i + 2 * kAhead]]);
+    const PrimitiveRecord& next = chunk.primitives[numbers[i + kAhead]];
+    const int stride = record_stride(chunk.state->varyings.count);
+    for (const std::uint32_t vertex : next.vertex) hwy::Prefetch(chunk.record(vertex, stride));
   }
 
   /// @return false when the triangle is too large for that.
