@@ -104,7 +104,7 @@ std::uint32_t paeth(std::uint32_t left, std::uint32_t above, std::uint32_t above
   const Channels to_a = magnitude(b - c);
   const Channels to_b = magnitude(a - c);
   const Channels to_c = magnitude((b - c) + (a - c));
-  const Channels chosen = (to_a <= to_b) & (to_a <= to_c) ? a : (to_b <= to_c ? b : c);
+  const Channels chosen = ((to_a <= to_b) & (to_a <= to_c)) ? a : (to_b <= to_c ? b : c);
   return static_cast<std::uint32_t>(chosen[0]) | static_cast<std::uint32_t>(chosen[1]) << 8 |
          static_cast<std::uint32_t>(chosen[2]) << 16 | static_cast<std::uint32_t>(chosen[3]) << 24;
 }

@@ -28,11 +28,18 @@ void expect_input_error(Decode decode) {
   }
 }
 
+/// The other reader of PNG must see the same picture; of at most 8 bits a channel (IHDR, byte 24) exactly.
 void check_precise(Bytes bytes) {
   const scene::Samples16 samples = scene::decode_png_16(bytes, "picture", kLimits);
   const auto pixels = static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
   require(samples.rgba.size() == pixels * 4, "samples are missing");
   require(samples.channels >= 1 && samples.channels <= 4, "no such number of channels");
+  const scene::Image image = scene::decode_png(bytes, "picture", kLimits);
+  require(image.rgba.size() == samples.rgba.size(), "the readers disagree on the size");
+  if (bytes[24] == 16) return;
+  for (std::size_t i = 0; i < samples.rgba.size(); ++i) {
+    require(samples.rgba[i] == image.rgba[i] * 257, "the readers disagree on a pixel");
+  }
 }
 
 }  // namespace

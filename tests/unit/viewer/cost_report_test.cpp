@@ -107,7 +107,7 @@ TEST(CostReport, NothingDrawnDividesByNothing) {
 TEST(CostReport, NamesNeedNotBeUtf8) {
   CostReport odd = report();
   odd.frames[0].name = "\xff\xfe.png";
-  EXPECT_NO_THROW(nlohmann::json::parse(cost_json(odd)));
+  EXPECT_TRUE(nlohmann::json::accept(cost_json(odd)));
 }
 
 }  // namespace

@@ -76,7 +76,8 @@ TEST(FramePipeline, TheFirstFrameThatFailsEndsIt) {
     const auto fail = [](const FrameInFlight& frame) {
       if (frame.cost.width == 5) throw std::runtime_error("frame 5");
     };
-    const auto [draw, encode, deliver] = std::tuple(stages.draw, stages.encode, stages.deliver);
+    const auto draw = stages.draw;
+    const auto deliver = stages.deliver;
     stages.draw = [&](std::size_t index, FrameInFlight& frame) {
       draw(index, frame);
       if (stage == 0) fail(frame);

@@ -1,0 +1,2 @@
+#pragma once
+#include "../pipeline_of_frames.h"
