@@ -2,6 +2,7 @@
 shows. Knows nothing of the program under test.
 """
 
+import ctypes
 import hashlib
 import os
 import pathlib
@@ -24,8 +25,9 @@ class Display:
                 raise Missing(f"{program} is not installed")
         self._folder = tempfile.TemporaryDirectory()
         read_end, write_end = os.pipe()
+        # Without -noreset everything would be forgotten when the last program goes.
         command = ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp",
-                   "-fbdir", self._folder.name]
+                   "-noreset", "-fbdir", self._folder.name]
         self._server = subprocess.Popen(command, pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as pipe:
@@ -48,6 +50,19 @@ class Display:
         if result.returncode != 0:
             raise RuntimeError(f"xdotool {' '.join(map(str, words))}: {result.stderr.strip()}")
         return result.stdout
+
+    def set_dpi(self, dpi: int) -> None:
+        """As desktops tell programs how dense their screen is; 96 is usual, 192 a screen of twice the density."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        x11.XDefaultRootWindow.restype = x11.XInternAtom.restype = ctypes.c_ulong
+        connection = ctypes.c_void_p(x11.XOpenDisplay(self.environment["DISPLAY"].encode()))
+        text = f"Xft.dpi:\t{dpi}\n".encode()
+        resources = ctypes.c_ulong(x11.XInternAtom(connection, b"RESOURCE_MANAGER", 0))
+        string, bits, replace = ctypes.c_ulong(31), 8, 0  # XA_STRING, PropModeReplace
+        x11.XChangeProperty(connection, ctypes.c_ulong(x11.XDefaultRootWindow(connection)), resources, string, bits,
+                            replace, text, len(text))
+        x11.XCloseDisplay(connection)
 
     def pixels(self, width: int, height: int) -> bytes:
         """The upper left corner of the screen as RGBA bytes, top row first, alpha 255."""

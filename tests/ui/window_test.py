@@ -45,10 +45,10 @@ class WindowTest(unittest.TestCase):
         if not (self.folder / "shown.ppm").exists():
             shutil.rmtree(self.folder)
 
-    def start(self, *words: object, panel: bool = False) -> ViewerProgram:
+    def start(self, *words: object, panel: bool = False, screen: display.Display | None = None) -> ViewerProgram:
         size = SIZE if "--resolution" not in words else []
         hidden = [] if panel else ["--no-panel"]
-        program = ViewerProgram(self.screen, PROGRAMS, self.folder, [*hidden, *size, *map(str, words)])
+        program = ViewerProgram(screen or self.screen, PROGRAMS, self.folder, [*hidden, *size, *map(str, words)])
         self.addCleanup(program.stop)
         return program
 
@@ -122,6 +122,28 @@ class WindowTest(unittest.TestCase):
         program = self.start(MODELS / "torus.glb", "--scale", "2", panel=True)
         self.assertEqual((program.frame.width, program.frame.height), (320, 240))
         program.expect_equal_pixels("scale 2")
+        program.close()
+
+    def test_dense_screen(self):
+        """Letters, panel and what can be grabbed are twice as large; pixels stay pixels."""
+        screen = display.Display()
+        self.addCleanup(screen.close)
+        screen.set_dpi(192)
+        program = self.start(MODELS / "lost_highlight.glb", panel=True, screen=screen)
+        self.assertEqual((program.frame.width, program.frame.height), (320, 240))
+        geometry = screen.xdotool("getwindowgeometry", "--shell", program.window)
+        self.assertIn(f"WIDTH={320 + 2 * 320}", geometry)
+        program.expect_equal_pixels("first picture")
+        program.drag(1, (160, 120), (200, 100))
+        program.expect_equal_pixels("orbit")
+        program.draw_key("d")
+        program.draw_key("s")
+        left = program.rendered_picture()
+        program.key("a")
+        right = program.rendered_picture()
+        program.drag(1, (169, 150), (89, 150))  # Nine pixels beside the divider, which scale 1 would not take.
+        program.wait_for_frame()
+        self.expect_split(program, left, right, 89, 60)
         program.close()
 
     def test_idle_costs_nothing(self):
@@ -207,10 +229,10 @@ class WindowTest(unittest.TestCase):
         self.assertIn(b"\xff\xff\xff", [shown[i:i + 3] for i in range(0, len(shown), 4)])
         program.close()
 
-    def expect_split(self, program: ViewerProgram, left: bytes, right: bytes, column: int) -> None:
+    def expect_split(self, program: ViewerProgram, left: bytes, right: bytes, column: int, top: int = 30) -> None:
         """Away from the divider with its letters, both sides show their own picture."""
         shown = program.settled_pixels()
-        for row in range(30, 240):
+        for row in range(top, 240):
             begin, middle, end = row * 320 * 4, (row * 320 + column) * 4, (row + 1) * 320 * 4
             self.assertEqual(shown[begin:middle - 8], left[begin:middle - 8], f"row {row}")
             self.assertEqual(shown[middle + 8:end], right[middle + 8:end], f"row {row}")

@@ -64,17 +64,13 @@ bool is_model(const std::string& path) {
   return extension == ".gltf" || extension == ".glb";
 }
 
-WindowSize first_size(const view::ViewArguments& arguments) {
-  const auto panel = static_cast<int>(arguments.panel ? kPanelUnits * std::max(arguments.scale, 1.0f) : 0.0f);
-  return {arguments.options.settings.width + panel, arguments.options.settings.height};
-}
-
 }  // namespace
 
 App::App(const view::ViewArguments& arguments)
     : arguments_(arguments),
       viewer_(arguments.options),
-      window_(first_size(arguments), arguments.scale, *this),
+      window_({arguments.options.settings.width, arguments.options.settings.height},
+              arguments.panel ? kPanelUnits : 0.0f, arguments.scale, *this),
       pointer_(viewer_) {
   viewer_.display.panel = arguments.panel;
   pointer_.scale = window_.scale() * window_.pixels_per_unit();

@@ -34,23 +34,51 @@ constexpr ImGuiWindowFlags kNote = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_NoInputs;
 
-void draw_help(float width, float scale, float pixels_per_unit) {
-  ImGui::SetNextWindowPos({width * 0.5f, 12.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
-  ImGui::SetNextWindowSize({std::min(620.0f * scale, width), 0.0f});
-  ImGui::SetNextWindowBgAlpha(0.92f);
-  ImGui::Begin("Keys", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+constexpr float kHelpColumn = 600.0f;
+
+/// The keys, section by section; in two columns the second begins after half of the lines.
+void draw_keys(bool two_columns, float scale) {
+  const auto table = view::key_table();
+  const float indent = ImGui::GetCursorPosX();
+  bool in_second = false;
+  ImGui::BeginGroup();
   std::string_view section;
-  for (const view::KeyBinding& binding : view::key_table()) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const view::KeyBinding& binding = table[i];
     if (binding.name.empty()) continue;
-    if (binding.section != section)
+    if (binding.section != section) {
+      if (two_columns && !in_second && i > table.size() / 2 - 4) {
+        in_second = true;
+        ImGui::EndGroup();
+        ImGui::SameLine(indent + kHelpColumn * scale);
+        ImGui::BeginGroup();
+      }
       ImGui::TextColored({1.0f, 0.8f, 0.3f, 1.0f}, "%s", binding.section.data());
+    }
     section = binding.section;
     ImGui::Text("  %s", binding.name.data());
-    ImGui::SameLine(160.0f * scale);
+    ImGui::SameLine(indent + 150.0f * scale);
     ImGui::TextUnformatted(binding.help.data());
   }
+  ImGui::EndGroup();
+}
+
+/// Over the panel too where the window is narrow; it scrolls where it is low.
+void draw_help(float scale, float pixels_per_unit) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float margin = 12.0f * scale;
+  const bool two_columns = screen.x >= (2.0f * kHelpColumn + 40.0f) * scale;
+  const float wanted = (two_columns ? 2.0f * kHelpColumn + 20.0f : kHelpColumn + 20.0f) * scale;
+  ImGui::SetNextWindowPos({screen.x * 0.5f, margin}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSize({std::min(wanted, screen.x), 0.0f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, std::max(screen.y - 2.0f * margin, 40.0f)});
+  ImGui::SetNextWindowBgAlpha(0.92f);
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin("Keys", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  draw_keys(two_columns, scale);
   remember_window(pixels_per_unit);
   ImGui::End();
 }
@@ -194,7 +222,7 @@ void draw_marks(view::Viewer& viewer, Pointer&, float scale, float pixels_per_un
   } else if (!viewer.message.empty()) {
     draw_message(viewer.message, width, height, scale);
   }
-  if (viewer.display.help) draw_help(width, scale, pixels_per_unit);
+  if (viewer.display.help) draw_help(scale, pixels_per_unit);
 }
 
 bool is_over_marks(double x, double y) {

@@ -68,6 +68,13 @@ std::string reason() {
   return text != nullptr ? text : "unknown reason";
 }
 
+/// As the desktop says, before there is a window that could be asked.
+float screen_scale() {
+  float x = 1.0f, y = 1.0f;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &x, &y);
+  return x;
+}
+
 WindowSize fitted(WindowSize wanted) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (monitor == nullptr) return wanted;
@@ -93,11 +100,13 @@ void begin_imgui(GLFWwindow* window, float scale) {
 
 }  // namespace
 
-Window::Window(WindowSize size, float scale, Events& events) {
+Window::Window(WindowSize picture, float panel_units, float scale, Events& events) {
   if (glfwInit() == GLFW_FALSE) throw std::runtime_error("no window can be opened: " + reason());
   // An old context is all that one quad needs, and is what remote and virtual displays have.
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
-  const WindowSize fit = fitted(size);
+  const float letters = std::clamp(scale > 0.0f ? scale : screen_scale(), 0.5f, 4.0f);
+  const WindowSize wanted{picture.width + static_cast<int>(panel_units * letters), picture.height};
+  const WindowSize fit = fitted(wanted);
   window_ =
       glfwCreateWindow(std::max(fit.width, 64), std::max(fit.height, 64), "barrido-view", nullptr, nullptr);
   if (window_ == nullptr) {
@@ -107,9 +116,13 @@ Window::Window(WindowSize size, float scale, Events& events) {
   }
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
-  float scale_x = 1.0f, scale_y = 1.0f;
-  glfwGetWindowContentScale(window_, &scale_x, &scale_y);
-  scale_ = scale > 0.0f ? scale : std::clamp(scale_x / static_cast<float>(pixels_per_unit()), 0.5f, 4.0f);
+  // Where the desktop counts in units of several pixels, letters grow with them.
+  const float pixels = pixels_per_unit();
+  scale_ = scale > 0.0f ? letters : std::max(letters / pixels, 0.5f);
+  if (pixels != 1.0f) {
+    const auto units = [&](int size) { return static_cast<int>(static_cast<float>(size) / pixels); };
+    glfwSetWindowSize(window_, units(wanted.width), units(wanted.height));
+  }
   set_callbacks(window_, events);
   begin_imgui(window_, scale_);
 }

@@ -29,9 +29,11 @@ struct WindowSize {
 
 class Window {
  public:
-  /// @param scale of letters; 0: the screen's. The size is made to fit the screen.
+  /// Has room for a picture of this size and a panel beside it, where the screen has.
+  /// @param panel_units the panel's width for letters of scale 1.
+  /// @param scale of letters; 0: the screen's.
   /// @throws std::runtime_error when there is no display or no OpenGL.
-  Window(WindowSize size, float scale, Events& events);
+  Window(WindowSize picture, float panel_units, float scale, Events& events);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
