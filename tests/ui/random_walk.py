@@ -85,7 +85,7 @@ def walk_in(folder: pathlib.Path, screen: display.Display, programs: pathlib.Pat
     words = [str(project / "models" / name) for name in MODELS]
     program = ViewerProgram(screen, programs, folder,
                             ["--resolution", "320,400", "--environment", str(project / "models" / "sky"), *words])
-    steps = 0
+    steps, failure = 0, ""
     try:
         one = Walk(program, random.Random(seed))
         end = time.monotonic() + seconds
@@ -97,15 +97,15 @@ def walk_in(folder: pathlib.Path, screen: display.Display, programs: pathlib.Pat
         one.alive()
         one.quit()
     except AssertionError as error:
-        print(f"seed {seed}, step {steps}: {error}")
-        return 1
-    finally:
-        errors = program.error_text()
-        program.stop()
+        failure = str(error)
+    errors = program.error_text()
+    program.stop()
+    if failure:
+        print(f"seed {seed}, step {steps}: {failure}")
     print(f"{steps} steps in {seconds:g} s, {program.frames} pictures, seed {seed}")
     if errors:
         print(f"it said: {errors}")
-    return 1 if errors else 0
+    return 1 if errors or failure else 0
 
 
 def main() -> int:

@@ -100,8 +100,76 @@ class WindowTest(unittest.TestCase):
         program.screen.xdotool("click", 5)
         program.expect_equal_pixels("wheel")
         words = program.command_line()
-        for option in ("--camera-position", "--camera-focal-point", "--camera-up", "--orthographic-height"):
+        for option in ("--camera-index", "--camera-position", "--camera-focal-point", "--camera-up",
+                       "--orthographic-height"):
             self.assertIn(option, words)
+        program.close()
+
+    @staticmethod
+    def numbers(words: list[str], option: str) -> list[float]:
+        return [float(number) for number in words[words.index(option) + 1].split(",")]
+
+    def test_drags_have_directions(self):
+        """The scene follows the pointer; the wheel, turned forwards, comes nearer."""
+        start = ["--camera-position", "0,0,10", "--camera-focal-point", "0,0,0"]
+        program = self.start(MODELS / "sphere.glb", *start)
+
+        def after(act) -> tuple[list[float], list[float]]:
+            program.draw_key("Return")
+            act()
+            words = program.command_line()
+            return self.numbers(words, "--camera-position"), self.numbers(words, "--camera-focal-point")
+
+        eye, _ = after(lambda: program.drag(1, (160, 120), (220, 120)))
+        self.assertLess(eye[0], -1.0)
+        eye, _ = after(lambda: program.drag(1, (160, 120), (160, 160)))
+        self.assertGreater(eye[1], 1.0)
+        eye, focus = after(lambda: program.drag(1, (160, 120), (200, 150), "shift"))
+        # 240 pixels are 2·10·tan(15°) at the focal point.
+        unit = 2 * 10 * 0.2679492 / 240
+        for place in (eye, focus):
+            self.assertAlmostEqual(place[0], -40 * unit, 4)
+            self.assertAlmostEqual(place[1], 30 * unit, 4)
+        eye, _ = after(lambda: program.screen.xdotool("click", 4))
+        self.assertLess(eye[2], 9.0)
+        eye, _ = after(lambda: program.drag(3, (160, 120), (160, 100)))
+        self.assertLess(eye[2], 9.0)
+        program.close()
+
+    def test_inspector(self):
+        program = self.start(MODELS / "showcase.glb", "--resolution", "900,500")
+        picture = program.rendered_picture()
+        program.screen.xdotool("mousemove", 50, 60)
+        program.key("p")
+        for x, y in ((50, 60), (200, 130), (120, 300)):  # Off the window with the story.
+            program.screen.xdotool("mousemove", x, y)
+            at = (y * 900 + x) * 4
+            red, green, blue = picture[at:at + 3]
+            self.assertEqual(program.wait_for_line(f"pixel {x},{y} "), f"pixel {x},{y} left {red} {green} {blue}")
+        program.screen.xdotool("click", 1, "mousemove", 200, 130)  # A click holds the pixel.
+        program.key("c")
+        line = ""
+        while not line.startswith("barrido render"):
+            line = program.next_line()
+            self.assertFalse(line.startswith("pixel 200,130"), line)
+        program.close()
+
+    def test_resolution_comes_back(self):
+        """While a drag moves, pictures may be coarse; when it rests or ends, they are not."""
+        screen = display.Display(1920, 1400)
+        self.addCleanup(screen.close)
+        program = self.start(MODELS / "showcase.glb", "--resolution", "1900,1300", "--environment", MODELS / "sky",
+                             screen=screen)
+        screen.xdotool("mousemove", 900, 600, "mousedown", 1)
+        for x in range(920, 1000, 20):
+            screen.xdotool("mousemove", x, 600)
+            program.wait_for_line("frame")
+            self.assertEqual(program.frame.coarse, program.frame.width < 1900)
+        if program.frame.coarse:
+            program.wait_for_frame()  # The button is still down.
+        self.assertEqual((program.frame.width, program.frame.height), (1900, 1300))
+        screen.xdotool("mousemove", 1010, 610, "mouseup", 1)
+        program.expect_equal_pixels("after the drag")
         program.close()
 
     def test_size(self):
@@ -188,6 +256,7 @@ class WindowTest(unittest.TestCase):
     def test_picture_and_settings(self):
         program = self.start(MODELS / "teapot.glb", "--settings", self.write_settings())
         program.drag(1, (160, 120), (100, 100))
+        program.draw_key("s")
         program.expect_equal_pixels("settings given")
         program.key("F12")
         self.assertEqual(program.wait_for_line("wrote"), "wrote teapot-1.png")

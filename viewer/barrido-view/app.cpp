@@ -29,6 +29,7 @@ using view::Key;
 /// A drag that would take longer than this a picture gets coarser pictures.
 constexpr double kSmoothMs = 45.0;
 constexpr int kCoarsest = 4;
+constexpr double kRestSeconds = 0.15;
 constexpr int kShowsToSettle = 3;
 /// Below this the picture has the window for itself.
 constexpr float kLeastPictureUnits = 160.0f;
@@ -82,17 +83,30 @@ int App::run() {
   return cli::kExitFine;
 }
 
-void App::step() {
-  const bool busy = viewer_.changed || shows_ > 0 || viewer_.playing() || coarseness_ > 1;
-  window_.poll(!busy);
+/// Waits where nothing is to be done.
+void App::poll() {
+  const bool busy = viewer_.changed || shows_ > 0 || viewer_.playing();
+  resting_ = false;
+  if (busy || (coarseness_ > 1 && !pointer_.dragging())) {
+    window_.poll(false);
+  } else if (coarseness_ > 1) {
+    window_.poll_for(kRestSeconds);
+    resting_ = !pointer_.moved();
+  } else {
+    window_.poll(true);
+  }
   pointer_.flush();
+}
+
+void App::step() {
+  poll();
   if (file_changed_.exchange(false)) viewer_.reload();
   watch_file();
   const double now = window_.seconds();
   if (viewer_.playing()) viewer_.advance(std::min(now - playing_since_, 0.25));
   playing_since_ = now;
   fit_picture();
-  if (viewer_.changed || (coarseness_ > 1 && !pointer_.dragging())) draw_picture();
+  if (viewer_.changed || (coarseness_ > 1 && (!pointer_.dragging() || resting_))) draw_picture();
   inspect();
   if (shows_ > 0) show();
   answer_requests();
@@ -112,12 +126,15 @@ void App::fit_picture() {
 }
 
 void App::draw_picture() {
-  const bool hurry = (pointer_.dragging() || viewer_.playing()) && full_ms_ > kSmoothMs;
+  const bool moving = (pointer_.dragging() && !resting_) || viewer_.playing();
+  const bool hurry = moving && full_ms_ > kSmoothMs;
   const int wanted = static_cast<int>(std::ceil(std::sqrt(full_ms_ / kSmoothMs)));
   coarseness_ = hurry ? std::clamp(wanted, 2, kCoarsest) : 1;
   const view::Picture& picture = viewer_.draw(coarseness_);
   inspected_.reset();  // The picture is another now.
-  if (coarseness_ == 1) full_ms_ = viewer_.costs().draw_ms + viewer_.costs().osmesa_ms;
+  // The first picture also builds textures; a coarse one tells that a full one would take less.
+  const double drawn_ms = viewer_.costs().draw_ms + viewer_.costs().osmesa_ms;
+  full_ms_ = coarseness_ == 1 ? drawn_ms : std::min(full_ms_, drawn_ms * coarseness_ * coarseness_);
   quad_.set_picture(picture);
   ++frames_;
   shows_ = kShowsToSettle;
@@ -142,6 +159,12 @@ void App::inspect() {
   if (inspected_ == place || !in_sight || pointer_.dragging() || coarseness_ > 1) return;
   inspected_ = place;
   viewer_.inspect(place.first, place.second);
+  if (arguments_.report && viewer_.inspected()) {
+    const view::Inspected& pixel = *viewer_.inspected();
+    say("pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+        (pixel.side == view::kLeft ? " left " : " right ") + std::to_string(pixel.rgba[0]) + " " +
+        std::to_string(pixel.rgba[1]) + " " + std::to_string(pixel.rgba[2]));
+  }
   on_anything();
 }
 

@@ -32,6 +32,7 @@ class App : private Events {
   void on_anything() override;
 
   void step();
+  void poll();
   void fit_picture();
   void draw_picture();
   void show();
@@ -56,8 +57,9 @@ class App : private Events {
   std::string status_;  ///< What was done last, for the panel.
   std::string title_;
   double playing_since_ = 0.0;
-  double full_ms_ = 0.0;  ///< What a picture of full size takes.
+  double full_ms_ = 0.0;  ///< What a picture of full size takes, at most.
   int coarseness_ = 1;    ///< Of the picture on the screen.
+  bool resting_ = false;  ///< A drag has come to rest: there is time for a picture of full size.
   int frames_ = 0;        ///< Pictures drawn.
   int shows_ = 3;         ///< How often the window must still be shown: ImGui needs some to settle.
   std::string report_;    ///< Told when the picture is on the screen.

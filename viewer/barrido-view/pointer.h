@@ -22,6 +22,8 @@ class Pointer {
   void flush();
 
   /// Whether the picture changes with every motion.
+  /// Whether there is a move that was not applied yet.
+  bool moved() const { return pending_x_ != 0.0 || pending_y_ != 0.0; }
   bool dragging() const { return action_ != Action::none; }
   double x() const { return x_; }
   double y() const { return y_; }

@@ -159,6 +159,8 @@ void Window::poll(bool wait) {
   }
 }
 
+void Window::poll_for(double seconds) { glfwWaitEventsTimeout(seconds); }
+
 void Window::wake() { glfwPostEmptyEvent(); }
 
 void Window::begin_panel() {

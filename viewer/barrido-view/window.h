@@ -49,6 +49,8 @@ class Window {
 
   /// Handles what has happened; when `wait`, something must happen first.
   void poll(bool wait);
+  /// Handles what happens within this time, and returns as soon as something did.
+  void poll_for(double seconds);
   /// Ends a poll that waits; from any thread.
   static void wake();
 
