@@ -23,10 +23,13 @@ std::vector<Rectangle>& rectangles() {
   return all;
 }
 
+/// With the border around it where ImGui takes the mouse to change its size.
 void remember_window(float pixels_per_unit) {
+  constexpr float kBorder = 4.0f;
   const ImVec2 place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  rectangles().push_back({place.x * pixels_per_unit, place.y * pixels_per_unit, size.x * pixels_per_unit,
-                          size.y * pixels_per_unit});
+  rectangles().push_back({(place.x - kBorder) * pixels_per_unit, (place.y - kBorder) * pixels_per_unit,
+                          (size.x + 2.0f * kBorder) * pixels_per_unit,
+                          (size.y + 2.0f * kBorder) * pixels_per_unit});
 }
 
 constexpr ImGuiWindowFlags kNote = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -144,10 +147,13 @@ void draw_divider(const view::Viewer& viewer, float width, float height, float s
   lines->AddLine({column, 0}, {column, height}, 0xffffffffu, scale);
   for (const int side : {view::kLeft, view::kRight}) {
     const bool active = viewer.active_side() == side, left = side == view::kLeft;
-    const bool osmesa = viewer.display.osmesa;
-    const char* const name = osmesa ? (left ? "Barrido" : "OSMesa") : (left ? "A" : "B");
-    const float x = left ? column - 8.0f * scale - ImGui::CalcTextSize(name).x : column + 8.0f * scale;
-    lines->AddText({x, 8.0f * scale}, active ? 0xff40d0ffu : 0xffc0c0c0u, name);
+    const std::string name = viewer.side_name(side);
+    const float wide = ImGui::CalcTextSize(name.c_str()).x;
+    const ImVec2 place(left ? column - 8.0f * scale - wide : column + 8.0f * scale, 8.0f * scale);
+    lines->AddRectFilled({place.x - 3.0f * scale, place.y - 1.0f * scale},
+                         {place.x + wide + 3.0f * scale, place.y + ImGui::GetFontSize() + scale},
+                         0x80000000u);
+    lines->AddText(place, active ? 0xff40d0ffu : 0xffe0e0e0u, name.c_str());
   }
 }
 
@@ -182,7 +188,9 @@ void draw_story(const view::Inspected& pixel, float width, float height, float s
   ImGui::End();
   const float x = (static_cast<float>(pixel.x) + 0.5f) / pixels_per_unit;
   const float y = (static_cast<float>(pixel.y) + 0.5f) / pixels_per_unit;
-  ImGui::GetBackgroundDrawList()->AddCircle({x, y}, 5.0f * scale, 0xff40d0ffu, 0, scale);
+  ImDrawList* marks = ImGui::GetBackgroundDrawList();
+  marks->AddCircle({x, y}, 6.0f * scale, 0xff000000u, 0, 4.0f * scale);  // Seen on every colour.
+  marks->AddCircle({x, y}, 6.0f * scale, 0xff40d0ffu, 0, 1.5f * scale);
 }
 
 void draw_light_handles(view::Viewer& viewer, float scale, float pixels_per_unit) {

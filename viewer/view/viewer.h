@@ -73,6 +73,8 @@ class Viewer {
   /// The words of `barrido render` that draw the active side.
   std::vector<std::string> words() const { return words_of_side(active_side_); }
   std::vector<std::string> words_of_side(int side) const;
+  /// What the side is called beside the divider: "A  phong", or in what else it is not as the other.
+  std::string side_name(int side) const;
   /// "barrido render teapot.glb --resolution 640,480 -o teapot.png"
   std::string command_line(int side) const;
   /// The environment's picture that was given last; empty: none.

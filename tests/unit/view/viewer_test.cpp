@@ -81,6 +81,19 @@ TEST(Viewer, SplitShowsBothSides) {
   EXPECT_EQ(viewer.draw().rgba, right.rgba) << "the side that was changed last stays";
 }
 
+TEST(Viewer, SidesAreCalledByWhatDiffers) {
+  Viewer viewer(small());
+  viewer.set_split(true);
+  EXPECT_EQ(viewer.side_name(kLeft), "A");
+  viewer.side(kRight).settings.min_filter = raster::MinFilter::nearest;
+  viewer.side(kLeft).settings.wireframe = true;
+  EXPECT_EQ(viewer.side_name(kLeft), "A  wireframe");
+  EXPECT_EQ(viewer.side_name(kRight), "B  min-filter nearest");
+  viewer.side(kRight).shadings = {pipeline::ShadeModel::gouraud};
+  EXPECT_EQ(viewer.side_name(kLeft), "A  phong");
+  EXPECT_EQ(viewer.side_name(kRight), "B  gouraud");
+}
+
 TEST(Viewer, CamerasOfBothSidesMoveTogether) {
   Viewer viewer(small());
   viewer.open({kModels + "torus.glb"});
