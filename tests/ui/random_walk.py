@@ -14,7 +14,7 @@ import tempfile
 import time
 
 import display
-from viewer_program import ViewerProgram
+from viewer_program import DEADLINE_S, ViewerProgram
 
 # Keys with how often; Escape would quit.
 KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d q a p v v shift+v 1 3 5 7 9 Return Up Left "
@@ -53,6 +53,7 @@ class Walk:
         for _ in range(ATTEMPTS):
             # A click takes the keyboard away from a field of the panel.
             self.program.screen.xdotool("mousemove", 20, 20, "click", 1)
+            self.program.skip_lines()
             self.program.key("c")
             try:
                 self.program.wait_for_line("barrido render")
@@ -63,10 +64,15 @@ class Walk:
 
     def quit(self) -> None:
         """As a user does; raises AssertionError when the exit status tells of an error."""
-        while self.program.process.poll() is None:
+        deadline = time.monotonic() + DEADLINE_S
+        while self.program.process.poll() is None and time.monotonic() < deadline:
             self.program.key("Escape")  # The first may close the help.
             time.sleep(0.5)
+        if self.program.process.poll() is None:
+            raise AssertionError("it does not quit")
         status = self.program.process.wait()
+        self.program.reader.join()
+        self.program.skip_lines()
         if status != 0:
             raise AssertionError(f"exit status {status}")
 

@@ -69,12 +69,25 @@ class ViewerProgram:
     def next_line(self, timeout_s: float = DEADLINE_S) -> str:
         line = self.lines.get(timeout=timeout_s)
         if line is None:
+            self.lines.put(None)
             raise AssertionError(f"barrido-view ended with {self.process.wait()}: {self.error_text()}")
+        self._see(line)
+        return line
+
+    def _see(self, line: str) -> None:
         match = FRAME.match(line)
         if match:
             self.frame = Frame(match)
             self.frames = self.frame.number
-        return line
+
+    def skip_lines(self) -> None:
+        """All that was reported so far."""
+        while not self.lines.empty():
+            line = self.lines.get()
+            if line is None:
+                self.lines.put(None)
+                return
+            self._see(line)
 
     def wait_for_line(self, beginning: str) -> str:
         while True:
