@@ -14,7 +14,7 @@ import display
 import png
 
 DEADLINE_S = 60.0
-LEAKS = pathlib.Path(__file__).resolve().parent / "leaks.txt"
+LEAKS = pathlib.Path(__file__).resolve().parents[1] / "sanitizers/lsan.supp"
 FRAME = re.compile(r"frame (\d+) drawn (\d+)x(\d+)( coarse)?")
 
 
