@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <new>
 #include <type_traits>
 #include <vector>
+
+#include "raster/memory.h"
 
 namespace barrido::pipeline {
 
@@ -24,15 +24,11 @@ class FrameMemory {
 
  private:
   static constexpr std::size_t kAlignment = 64;
-  static constexpr std::size_t kMinBlockBytes = std::size_t{1} << 20;
+  /// The first block suits small frames; further ones are large enough for huge pages.
+  static constexpr std::size_t kFirstBlockBytes = std::size_t{1} << 20;
+  static constexpr std::size_t kNextBlockBytes = std::size_t{8} << 20;
 
-  struct Deleter {
-    void operator()(std::byte* p) const { ::operator delete[](p, std::align_val_t{kAlignment}); }
-  };
-  struct Block {
-    std::unique_ptr<std::byte[], Deleter> bytes;
-    std::size_t size = 0;
-  };
+  using Block = raster::UnclearedArray<std::byte>;
 
   void* allocate_bytes(std::size_t size);
   void add_block(std::size_t size);
