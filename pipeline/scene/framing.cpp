@@ -99,14 +99,14 @@ class RingCollector {
     const double place = (height / sphere_.radius * 0.5 + 0.5) * kSlices;
     const auto slice = static_cast<std::size_t>(std::clamp(place, 0.0, kSlices - 1.0));
     Slice& s = slices_[slice];
-    s.radius = std::max(s.radius, std::sqrt(glm::dot(across, across)));
+    s.radius_squared = std::max(s.radius_squared, glm::dot(across, across));
     s.low = std::min(s.low, height);
     s.high = std::max(s.high, height);
   }
 
   void join(const RingCollector& other) {
     for (std::size_t i = 0; i < kSlices; ++i) {
-      slices_[i].radius = std::max(slices_[i].radius, other.slices_[i].radius);
+      slices_[i].radius_squared = std::max(slices_[i].radius_squared, other.slices_[i].radius_squared);
       slices_[i].low = std::min(slices_[i].low, other.slices_[i].low);
       slices_[i].high = std::max(slices_[i].high, other.slices_[i].high);
     }
@@ -115,8 +115,9 @@ class RingCollector {
   std::vector<glm::dvec2> rings() const {
     std::vector<glm::dvec2> rings;
     for (const Slice& slice : slices_) {
-      if (slice.low <= slice.high)
-        rings.insert(rings.end(), {{slice.radius, slice.low}, {slice.radius, slice.high}});
+      if (slice.low > slice.high) continue;
+      const double radius = std::sqrt(slice.radius_squared);
+      rings.insert(rings.end(), {{radius, slice.low}, {radius, slice.high}});
     }
     return rings;
   }
@@ -124,7 +125,7 @@ class RingCollector {
  private:
   static constexpr int kSlices = 64;
   struct Slice {
-    double radius = 0.0;
+    double radius_squared = 0.0;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
   };
