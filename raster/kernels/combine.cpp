@@ -145,7 +145,9 @@ void StartColors(FragmentBatch& batch) {
   const auto source = [&](int varying, float(*own)[kBatchStride]) {
     return made || varying == kAbsent ? own : batch.varying + varying;
   };
-  take_colors(source(state.varyings.color, batch.color), batch.color, 4, batch.count, state.clamp_colors);
+  if (!color_is_replaced(state)) {
+    take_colors(source(state.varyings.color, batch.color), batch.color, 4, batch.count, state.clamp_colors);
+  }
   if (!state.separate_specular) return;
   take_colors(source(state.varyings.specular, batch.specular), batch.specular, 3, batch.count,
               state.clamp_colors);

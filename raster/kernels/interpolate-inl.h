@@ -121,9 +121,9 @@ HWY_INLINE void fill(const float* values, int channels, int count, float (*out)[
 }
 
 /// The colours that no varying carries are the same for every fragment of the primitive.
-HWY_INLINE void fill_flat(const FlatColors& flat, const FragmentState& state, int count, FragmentBatch& batch,
-                          int at) {
-  if (state.varyings.color == kAbsent) fill(flat.color, 4, count, batch.color, at);
+HWY_INLINE void fill_flat(const FlatColors& flat, const FragmentState& state, bool color_is_replaced,
+                          int count, FragmentBatch& batch, int at) {
+  if (state.varyings.color == kAbsent && !color_is_replaced) fill(flat.color, 4, count, batch.color, at);
   if (state.varyings.specular == kAbsent && state.separate_specular) {
     fill(flat.specular, 3, count, batch.specular, at);
   }

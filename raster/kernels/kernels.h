@@ -18,6 +18,17 @@ inline bool needs_lod(const TextureUnit& unit) {
            (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
 }
 
+/// Whether the primary colour reaches no result, because the first texture takes its place.
+inline bool color_is_replaced(const FragmentState& state) {
+  const TextureUnit* first = nullptr;
+  for (int unit = kMaxTextureUnits - 1; unit >= 0; --unit) {
+    if (!is_active(state, unit)) continue;
+    first = &state.texture_units[static_cast<std::size_t>(unit)];
+    if (first->env_mode == TextureEnvMode::combine) return false;
+  }
+  return first != nullptr && first->env_mode == TextureEnvMode::replace;
+}
+
 /// Level of detail of every fragment of the batch for `unit`, from `group_count` groups.
 void find_levels_of_detail(const LodGroups& groups, int group_count, int unit, FragmentBatch& batch);
 

@@ -43,6 +43,7 @@ class SpanShader {
     const bool divides = state.varyings.count > state.varyings.affine_count;
     interpolations_ = static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
     if (route_ == Route::smooth_blend_constant) blend_constant_ = BlendConstant(state.blend);
+    color_is_replaced_ = color_is_replaced(state);
     lod_units_ = 0;
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
       const bool needed =
@@ -230,7 +231,7 @@ class SpanShader {
       if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
       if (lod_units_ != 0) append_lod(begin, count);
       if (state.illumination.function == nullptr)
-        fill_flat(flat_colors(*chunk_, *primitive_), state, count, batch, at);
+        fill_flat(flat_colors(*chunk_, *primitive_), state, color_is_replaced_, count, batch, at);
       batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
                                        static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
       batch.count = at + count;
@@ -255,6 +256,7 @@ class SpanShader {
   Route route_ = Route::batch;
   bool writes_depth_now_ = true;
   bool is_set_up_ = false;
+  bool color_is_replaced_ = false;
   unsigned lod_units_ = 0;  ///< Bit u: texture unit u is on and its filters ask for the level of detail.
   std::uint64_t interpolations_ = 0;  ///< Quantities a shaded fragment.
   BlendConstant blend_constant_{BlendState{}};
