@@ -56,6 +56,37 @@ Content read_uri(const std::filesystem::path& folder, const std::string& uri, st
   return read_regular_file(resolved.path, max_bytes);
 }
 
+/// Which buffers have views.
+std::vector<bool> viewed_buffers(const json& document, std::size_t count) {
+  std::vector<bool> viewed(count);
+  const auto views = document.find("bufferViews");
+  if (views == document.end()) return viewed;
+  for (const json& view : *views) viewed[view["buffer"].get<std::size_t>()] = true;
+  return viewed;
+}
+
+/// tinygltf refuses accessors of indices without a buffer view, which are zeros (glTF 2.0, section 5.1.1):
+/// they get one more view, of nothing, until it has read them. Returns whether there is one.
+bool give_views_to_indices(json& document) {
+  json* views = nullptr;
+  const auto meshes = document.find("meshes");
+  if (meshes == document.end()) return false;
+  for (const json& mesh : *meshes) {
+    for (const json& primitive : mesh["primitives"]) {
+      const auto indices = primitive.find("indices");
+      if (indices == primitive.end()) continue;
+      json& accessor = document["accessors"][indices->get<std::size_t>()];
+      if (accessor.contains("bufferView")) continue;
+      if (views == nullptr) {
+        views = &document["bufferViews"];
+        views->push_back({{"buffer", 0}, {"byteLength", 1}});
+      }
+      accessor["bufferView"] = views->size() - 1;
+    }
+  }
+  return views != nullptr;
+}
+
 }  // namespace
 
 Document::Document(Report& report, const std::filesystem::path& path, const ImportOptions& options)
@@ -73,10 +104,11 @@ Document::Document(Report& report, const std::filesystem::path& path, const Impo
 
 Document::~Document() = default;
 
-void Document::load_buffers(const Report& report, const Container& container, const ByteBlock& file) {
+void Document::load_buffers(Report& report, const Container& container, const ByteBlock& file) {
   const auto buffers = json_->find("buffers");
   if (buffers == json_->end()) return;
   buffers_.reserve(buffers->size());
+  const std::vector<bool> is_viewed = viewed_buffers(*json_, buffers->size());
   for (std::size_t i = 0; i < buffers->size(); ++i) {
     const json& source = (*buffers)[i];
     std::string place = element("buffers", i);
@@ -86,7 +118,11 @@ void Document::load_buffers(const Report& report, const Container& container, co
       const auto& text = uri->get_ref<const std::string&>();
       place += " (" + shown_uri(text) + ")";
       Content content = read_uri(folder_, text, options_.max_file_bytes);
-      if (!content.problem.empty()) report.fail(place, content.problem);
+      if (!content.problem.empty()) {
+        if (is_viewed[i]) report.fail(place, content.problem);
+        report.warn(place + ": " + content.problem + "; nothing uses it");
+        content.block = {};
+      }
       buffer.bytes = content.block.bytes();
       buffer.owner = content.block.owner();
     } else if (i == 0 && container.binary_chunk) {
@@ -110,6 +146,7 @@ void Document::parse_model(const Report& report) {
   json images;
   if (const auto found = json_->find("images"); found != json_->end()) images.swap(*found);
   json_->erase("images");
+  const bool has_padding_view = give_views_to_indices(*json_);
   const std::string text = json_->dump();
   if (!images.is_null()) (*json_)["images"].swap(images);
   if (text.size() > std::numeric_limits<unsigned int>::max()) report.fail("JSON", "is larger than 4 GB");
@@ -120,6 +157,19 @@ void Document::parse_model(const Report& report) {
   const bool parsed = loader.LoadASCIIFromString(&model_, &errors, &warnings, text.data(),
                                                  static_cast<unsigned int>(text.size()), {});
   if (!parsed) report.fail("", parse_problem(errors.empty() ? std::string("cannot be parsed") : errors));
+  if (has_padding_view) take_views_from_indices();
+}
+
+void Document::take_views_from_indices() {
+  const int padding_view = static_cast<int>(model_.bufferViews.size()) - 1;
+  for (tinygltf::Accessor& accessor : model_.accessors) {
+    if (accessor.bufferView == padding_view) accessor.bufferView = -1;
+  }
+  model_.bufferViews.pop_back();
+  json_->at("bufferViews").erase(json_->at("bufferViews").size() - 1);
+  for (json& accessor : json_->at("accessors")) {
+    if (accessor.value("bufferView", -1) == padding_view) accessor.erase("bufferView");
+  }
 }
 
 bool Document::has_bytes(int buffer_view) const {

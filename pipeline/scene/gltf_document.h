@@ -54,8 +54,9 @@ class Document {
   EncodedImage read_image(std::size_t index) const;
 
  private:
-  void load_buffers(const Report& report, const Container& container, const ByteBlock& file);
+  void load_buffers(Report& report, const Container& container, const ByteBlock& file);
   void parse_model(const Report& report);
+  void take_views_from_indices();
 
   std::filesystem::path folder_;
   ImportOptions options_;

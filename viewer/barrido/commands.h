@@ -17,7 +17,7 @@ int run_render(std::span<const std::string> words);
 /// `barrido inspect FILE --pixel X,Y`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_inspect(std::span<const std::string> words);
 
-/// `barrido info FILE [--json]`. @throws UsageError, std::bad_alloc, scene::InputError.
+/// `barrido info FILE [--json] [--validate]`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_info(std::span<const std::string> words);
 
 /// `barrido diff A B`. @throws UsageError, std::bad_alloc, scene::InputError.

@@ -14,6 +14,8 @@ constexpr std::size_t kWidth = 99;
 
 constexpr OptionSyntax kInfoSyntax[] = {
     {"Options", "--json", "", OptionKind::flag, "", "As JSON, for programs."},
+    {"Options", "--validate", "", OptionKind::flag, "",
+     "Check the file against glTF 2.0 instead, in the terms of the Khronos glTF validator."},
     {"Options", "--help", "-h", OptionKind::flag, "", "This text."},
 };
 
@@ -24,6 +26,7 @@ Usage:
   barrido render FILE... -o OUT [OPTIONS]    draw glTF models (.gltf, .glb)
   barrido inspect FILE --pixel X,Y [OPTIONS] why a pixel has its colour, number by number
   barrido info FILE [--json]                 what a model holds, and how well it will be drawn
+  barrido info --validate FILE [--json]      what is wrong with a model
   barrido diff A B [OPTIONS]                 whether two pictures, or two folders, are the same
   barrido COMMAND --help                     the options of a command, with examples
   barrido --version
@@ -70,11 +73,18 @@ Examples:
   barrido inspect teapot.glb --pixel 320,240 --resolution 640,480 --shading gouraud --json
 )";
 
-constexpr const char* kInfoUsage = R"(Usage: barrido info FILE [--json]
+constexpr const char* kInfoUsage = R"(Usage: barrido info FILE [--json] [--validate]
 
 Tells what a glTF model (.gltf, .glb) holds: scenes, meshes, triangles, materials, textures,
 cameras, lights, animations, bounds; and which of its features are drawn exactly, approximated or
 ignored.
+)";
+
+constexpr const char* kInfoNotes = R"(
+With --validate every fault has a code, a place (a JSON pointer or a byte) and a sentence; with
+--json as well, the report has the form of the Khronos validator's. The last line tells whether
+`barrido render` draws the file: it forgives what does no harm.
+Exit status: 0 fine (warnings are printed), 2 error: of the file, when it is validated.
 )";
 
 constexpr const char* kDiffUsage =
@@ -154,7 +164,7 @@ std::string diff_help() { return kDiffUsage + options_help(diff_syntax()) + kDif
 
 std::string inspect_help() { return kInspectUsage + options_help(inspect_syntax()) + kInspectNotes; }
 
-std::string info_help() { return kInfoUsage + options_help(info_syntax()); }
+std::string info_help() { return kInfoUsage + options_help(info_syntax()) + kInfoNotes; }
 
 std::span<const OptionSyntax> info_syntax() { return kInfoSyntax; }
 

@@ -76,5 +76,52 @@ TEST_F(Info, FilesThatCannotBeReadAreOneLine) {
   }
 }
 
+TEST_F(Info, ValidateTellsFaultsPlacesAndWhetherItIsDrawn) {
+  const Outcome sound = info({"--validate", "bumps.glb"});
+  EXPECT_EQ(sound.status, 0) << sound.error;
+  EXPECT_TRUE(sound.out.starts_with("bumps.glb: 0 errors, 0 warnings")) << sound.out;
+  EXPECT_EQ(lines_of(sound.out).back(), "barrido render draws it");
+
+  write_text(folder_.path() / "faulty.gltf",
+             R"({"asset":{"version":"2.0"},"nodes":[{"mesh":7}],"scenes":[{"nodes":[0]}],"x":1})");
+  const Outcome faulty = info({"faulty.gltf", "--validate"});
+  EXPECT_EQ(faulty.status, 2);
+  EXPECT_EQ(faulty.error, "");
+  const auto lines = lines_of(faulty.out);
+  ASSERT_EQ(lines.size(), 5u) << faulty.out;
+  EXPECT_EQ(lines[0], "faulty.gltf: 1 error, 1 warning, 1 remark");
+  EXPECT_EQ(lines[1], "  error        UNRESOLVED_REFERENCE /nodes/0/mesh: meshes[7] does not exist.");
+  EXPECT_EQ(lines[2], "  warning      UNEXPECTED_PROPERTY /x: There is no such property.");
+  EXPECT_EQ(lines[4],
+            "barrido render refuses it: faulty.gltf: nodes[0].mesh: refers to meshes[7], but there are none");
+}
+
+TEST_F(Info, ValidateInJsonHasTheFormOfTheReferenceValidator) {
+  write_text(folder_.path() / "faulty.gltf", R"({"asset":{"version":"2.0"},"nodes":[]})");
+  const Outcome outcome = info({"faulty.gltf", "--validate", "--json"});
+  EXPECT_EQ(outcome.status, 2);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["uri"], "faulty.gltf");
+  EXPECT_EQ(json["mimeType"], "model/gltf+json");
+  EXPECT_EQ(json["issues"]["numErrors"], 1);
+  EXPECT_EQ(json["issues"]["numWarnings"], 0);
+  EXPECT_EQ(json["issues"]["numInfos"], 0);
+  EXPECT_EQ(json["issues"]["numHints"], 0);
+  EXPECT_EQ(json["issues"]["truncated"], false);
+  ASSERT_EQ(json["issues"]["messages"].size(), 1u);
+  EXPECT_EQ(json["issues"]["messages"][0]["code"], "EMPTY_ENTITY");
+  EXPECT_EQ(json["issues"]["messages"][0]["severity"], 0);
+  EXPECT_EQ(json["issues"]["messages"][0]["pointer"], "/nodes");
+  EXPECT_EQ(json["info"]["version"], "2.0");
+  EXPECT_EQ(json["render"]["drawn"], true);
+}
+
+TEST_F(Info, ValidateOfAFileThatIsNotThereIsOneLine) {
+  const Outcome outcome = info({"--validate", "missing.glb"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.error, "barrido: missing.glb: no such file\n");
+}
+
 }  // namespace
 }  // namespace barrido::test

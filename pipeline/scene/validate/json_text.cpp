@@ -1,0 +1,160 @@
+// nlohmann's parser does the syntax and UTF-8; it takes no number above the largest double, though, where
+// glTF's validator goes on and says which property is out of range. Such numbers are written anew before it
+// sees them.
+#include "pipeline/scene/validate/json_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/error.h"
+#include "pipeline/scene/gltf_container.h"
+
+namespace barrido::scene::validation {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::string_view kLargest = "1.7976931348623157e308";
+
+bool is_number_character(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == 'e' || c == 'E' || c == '+' || c == '-';
+}
+
+/// Whether the number is above the largest double; from_chars alone does not tell this from one near 0.
+bool overflows(std::string_view number) {
+  constexpr std::size_t kManyDigits = 300;
+  const std::size_t exponent = number.find_first_of("eE");
+  if (exponent == std::string_view::npos && std::min(number.find('.'), number.size()) < kManyDigits)
+    return false;
+  if (exponent != std::string_view::npos && number.substr(exponent + 1).starts_with('-')) return false;
+  double value = 0;
+  return std::from_chars(number.data(), number.data() + number.size(), value).ec ==
+         std::errc::result_out_of_range;
+}
+
+/// The text with the largest double in place of every number above it; empty where there is none.
+std::string with_finite_numbers(std::string_view text) {
+  std::string result;
+  std::size_t copied = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (in_string || !is_number_character(c)) {
+      if (in_string && c == '\\') ++i;  // Whatever is escaped, it does not end the string.
+      if (c == '"') in_string = !in_string;
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && is_number_character(text[end])) ++end;
+    if (overflows(text.substr(i, end - i))) {
+      result += text.substr(copied, i - copied);
+      if (c == '-') result += '-';
+      result += kLargest;
+      copied = end;
+    }
+    i = end;
+  }
+  if (copied != 0) result += text.substr(copied);
+  return result;
+}
+
+/// The names seen in every open object and array, for duplicates and the places where they are.
+class OpenValues {
+ public:
+  explicit OpenValues(Issues& issues) : issues_(issues) {}
+
+  void open(bool is_object) {
+    count_item();
+    levels_.push_back({is_object, {}, {}, 0});
+  }
+  void close() { levels_.pop_back(); }
+  void value() { count_item(); }
+  void name(const std::string& name) {
+    Level& level = levels_.back();
+    level.name = name;
+    if (!level.names.insert(name).second) {
+      issues_.add(kDuplicateElements, pointer(), {in_quotes(name)});
+    }
+  }
+
+ private:
+  struct Level {
+    bool is_object;
+    std::set<std::string> names;
+    std::string name;
+    std::size_t items;
+  };
+
+  void count_item() {
+    if (!levels_.empty()) ++levels_.back().items;
+  }
+
+  std::string pointer() const { return pointer_of(levels_.size(), Place()); }
+  std::string pointer_of(std::size_t depth, const Place& place, std::size_t at = 0) const {
+    if (at == depth) return place.pointer();
+    const Level& level = levels_[at];
+    return pointer_of(depth, level.is_object ? Place(place, level.name) : Place(place, level.items - 1),
+                      at + 1);
+  }
+
+  Issues& issues_;
+  std::vector<Level> levels_;
+};
+
+/// The reason in the library's message, without its label.
+std::string parse_problem(std::string what) {
+  if (what.starts_with("[json.exception.")) what.erase(0, std::min(what.find("] ") + 2, what.size()));
+  return in_quotes(what);
+}
+
+Json parse(Issues& issues, std::string_view text) {
+  OpenValues open(issues);
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    switch (event) {
+      case Json::parse_event_t::object_start:
+      case Json::parse_event_t::array_start:
+        open.open(event == Json::parse_event_t::object_start);
+        break;
+      case Json::parse_event_t::object_end:
+      case Json::parse_event_t::array_end:
+        open.close();
+        break;
+      case Json::parse_event_t::key:
+        open.name(parsed.get_ref<const std::string&>());
+        break;
+      case Json::parse_event_t::value:
+        open.value();
+        break;
+    }
+    return true;
+  };
+  return Json::parse(text.begin(), text.end(), watch);
+}
+
+}  // namespace
+
+std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth) {
+  if (text.starts_with(kByteOrderMark)) {
+    issues.add(kInvalidJson, Place(), {"it begins with a byte order mark"});
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  try {
+    gltf::check_json_depth(gltf::Report("JSON"), text, max_depth);
+    const std::string rewritten = with_finite_numbers(text);
+    return parse(issues, rewritten.empty() ? text : rewritten);
+  } catch (const Json::exception& error) {
+    issues.add(kInvalidJson, Place(), {parse_problem(error.what())});
+  } catch (const InputError& error) {
+    issues.add(kInvalidJson, Place(), {error.what()});
+  }
+  return {};
+}
+
+bool is_infinite(double value) { return std::abs(value) >= std::numeric_limits<double>::max(); }
+
+}  // namespace barrido::scene::validation
