@@ -89,7 +89,9 @@ bool edit_own_lights(view::Viewer& viewer, float reach) {
     }
     ImGui::SameLine();
     bool removed = false;
-    if (ImGui::TreeNode("light", "light %d", static_cast<int>(i) + 1)) {
+    constexpr const char* kKinds[] = {"directional", "point", "spot"};
+    const char* const kind = kKinds[static_cast<std::size_t>(lights[i].light.kind)];
+    if (ImGui::TreeNode("light", "light %d, %s", static_cast<int>(i) + 1, kind)) {
       if (edit_light(lights[i], reach)) {
         lights[i] = view::canonical(lights[i]);
         changed = true;
@@ -99,8 +101,7 @@ bool edit_own_lights(view::Viewer& viewer, float reach) {
     }
     ImGui::PopID();
     if (!removed) continue;
-    lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(i));
-    off.clear();
+    view::remove_light(viewer.active(), static_cast<int>(i));
     return true;
   }
   return changed;

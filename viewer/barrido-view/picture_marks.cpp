@@ -194,17 +194,9 @@ void draw_story(const view::Inspected& pixel, float width, float height, float s
 }
 
 void draw_light_handles(view::Viewer& viewer, float scale, float pixels_per_unit) {
-  const scene::RenderSettings& settings = viewer.active().settings;
-  if (!settings.overlays.light_markers || settings.lights.empty()) return;
-  const std::optional<view::Look> look = viewer.look();
-  if (!look) return;
-  for (const scene::UserLight& light : settings.lights) {
-    if (light.light.kind == scene::Light::Kind::directional) continue;
-    if (light.space == scene::UserLight::Space::camera) continue;
-    const auto place = pixel_of(*look, light.position, viewer.width(), viewer.height());
-    if (!place) continue;
-    const ImVec2 center(static_cast<float>(place->first) / pixels_per_unit,
-                        static_cast<float>(place->second) / pixels_per_unit);
+  for (const LightHandle& handle : light_handles(viewer)) {
+    const ImVec2 center(static_cast<float>(handle.x) / pixels_per_unit,
+                        static_cast<float>(handle.y) / pixels_per_unit);
     ImGui::GetBackgroundDrawList()->AddCircle(center, 8.0f * scale, 0xff40d0ffu, 0, 1.5f * scale);
   }
 }

@@ -29,17 +29,24 @@ std::optional<std::pair<double, double>> pixel_of(const view::Look& look, const 
   return std::pair{(clip.x / clip.w * 0.5 + 0.5) * width, (0.5 - clip.y / clip.w * 0.5) * height};
 }
 
+std::vector<LightHandle> light_handles(view::Viewer& viewer) {
+  std::vector<LightHandle> handles;
+  if (!viewer.active().settings.overlays.light_markers) return handles;
+  const std::optional<view::Look> look = viewer.look();
+  if (!look) return handles;
+  const std::vector<scene::UserLight> lights = view::shown_lights(viewer);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].light.kind == scene::Light::Kind::directional) continue;
+    if (lights[i].space == scene::UserLight::Space::camera) continue;
+    const auto place = pixel_of(*look, lights[i].position, viewer.width(), viewer.height());
+    if (place) handles.push_back({i, place->first, place->second});
+  }
+  return handles;
+}
+
 std::optional<std::size_t> Pointer::light_at_pointer() {
-  const scene::RenderSettings& settings = viewer_.active().settings;
-  if (!settings.overlays.light_markers || settings.lights.empty()) return std::nullopt;
-  const std::optional<view::Look> look = viewer_.look();
-  if (!look) return std::nullopt;
-  for (std::size_t i = 0; i < settings.lights.size(); ++i) {
-    const scene::UserLight& light = settings.lights[i];
-    if (light.light.kind == scene::Light::Kind::directional) continue;
-    if (light.space == scene::UserLight::Space::camera) continue;
-    const auto place = pixel_of(*look, light.position, viewer_.width(), viewer_.height());
-    if (place && std::hypot(place->first - x_, place->second - y_) < kGrabRadius * scale) return i;
+  for (const LightHandle& handle : light_handles(viewer_)) {
+    if (std::hypot(handle.x - x_, handle.y - y_) < kGrabRadius * scale) return handle.light;
   }
   return std::nullopt;
 }
@@ -58,6 +65,7 @@ void Pointer::press(int button, bool shift, bool control) {
     action_ = Action::divider;
   } else if (const auto light = light_at_pointer()) {
     action_ = Action::light;
+    view::take_over_lights(viewer_);  // The file's become the user's.
     light_ = *light;
   }
 }

@@ -54,4 +54,13 @@ class Pointer {
 std::optional<std::pair<double, double>> pixel_of(const view::Look& look, const glm::vec3& world, int width,
                                                   int height);
 
+/// A marker that can be dragged: that of a light with a place in the world.
+struct LightHandle {
+  std::size_t light = 0;    ///< Of view::shown_lights
+  double x = 0.0, y = 0.0;  ///< Pixels
+};
+
+/// None while markers are not shown.
+std::vector<LightHandle> light_handles(view::Viewer& viewer);
+
 }  // namespace barrido::window

@@ -157,20 +157,35 @@ scene::UserLight canonical(const scene::UserLight& light) {
   }
 }
 
+std::vector<scene::UserLight> shown_lights(Viewer& viewer) {
+  const scene::RenderSettings& settings = viewer.active().settings;
+  if (!settings.lights.empty() || settings.no_lights || viewer.model() == nullptr) return settings.lights;
+  std::vector<scene::UserLight> lights;
+  if (viewer.model()->scene().lights.empty()) {
+    for (const char* preset : {"key", "fill", "back"}) lights.push_back(cli::parse_light(preset));
+    return lights;
+  }
+  for (const pipeline::Light& light : viewer.model()->lights(viewer.active())) {
+    lights.push_back(canonical(user_light(light)));
+  }
+  return lights;
+}
+
 void take_over_lights(Viewer& viewer) {
   cli::RenderOptions& options = viewer.active();
   if (viewer.model() == nullptr || !options.settings.lights.empty()) return;
   options.settings.no_lights = false;
+  options.settings.lights = shown_lights(viewer);
   viewer.changed = true;
-  if (viewer.model()->scene().lights.empty()) {
-    for (const char* preset : {"key", "fill", "back"}) {
-      options.settings.lights.push_back(cli::parse_light(preset));
-    }
-    return;
-  }
-  for (const pipeline::Light& light : viewer.model()->lights(options)) {
-    options.settings.lights.push_back(canonical(user_light(light)));
-  }
+}
+
+void remove_light(cli::RenderOptions& options, int number) {
+  std::vector<scene::UserLight>& lights = options.settings.lights;
+  if (number < 0 || static_cast<std::size_t>(number) >= lights.size()) return;
+  lights.erase(lights.begin() + number);
+  std::vector<int>& off = options.settings.lights_off;
+  std::erase(off, number);
+  for (int& other : off) other -= other > number;
 }
 
 }  // namespace barrido::view

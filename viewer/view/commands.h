@@ -31,8 +31,14 @@ void toggle_light(cli::RenderOptions& options, int number);
 /// Brightens by so many stops, within the option's bounds.
 void change_exposure(cli::RenderOptions& options, float stops);
 
+/// The frame's lights as the user could have given them: the user's own, else the file's, else the presets.
+std::vector<scene::UserLight> shown_lights(Viewer& viewer);
+
 /// Puts the frame's lights into the options, where they can be changed one by one.
 void take_over_lights(Viewer& viewer);
+
+/// Takes one of the user's lights away; the others stay on or off.
+void remove_light(cli::RenderOptions& options, int number);
 
 /// The light as its text on the command line reads: angles are whole floats of degrees, and so on.
 scene::UserLight canonical(const scene::UserLight& light);

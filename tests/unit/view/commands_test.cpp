@@ -101,5 +101,16 @@ TEST(Commands, LightsTakenOverLookTheSame) {
   }
 }
 
+TEST(Commands, RemovingALightKeepsTheOthersOnOrOff) {
+  cli::RenderOptions options;
+  options.settings.lights.resize(4);
+  options.settings.lights_off = {0, 2, 3};
+  remove_light(options, 2);
+  EXPECT_EQ(options.settings.lights.size(), 3u);
+  EXPECT_EQ(options.settings.lights_off, (std::vector{0, 2}));
+  remove_light(options, 3);
+  EXPECT_EQ(options.settings.lights.size(), 3u);
+}
+
 }  // namespace
 }  // namespace barrido::view
