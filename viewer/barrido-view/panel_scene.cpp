@@ -238,11 +238,11 @@ bool draw_compare(view::Viewer& viewer) {
   bool changed = false;
   bool split = viewer.display.split;
   if (ImGui::Checkbox("split", &split)) viewer.set_split(split), changed = true;
-  if (!split) return changed;
   ImGui::SameLine();
-  changed |= ImGui::Checkbox("difference", &viewer.display.difference);
   bool osmesa = viewer.display.osmesa;
   if (ImGui::Checkbox("Barrido | OSMesa", &osmesa)) viewer.set_osmesa(osmesa), changed = true;
+  if (!viewer.display.split) return changed;
+  changed |= ImGui::Checkbox("difference", &viewer.display.difference);
   if (const auto& difference = viewer.difference()) {
     ImGui::Text("largest %d of 255, mean %.4f", difference->largest, difference->mean);
   }

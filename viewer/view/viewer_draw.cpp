@@ -125,9 +125,10 @@ const Picture& Viewer::draw(int coarseness) {
   if (display.osmesa) sides_[kRight] = sides_[kLeft];
   const Picture left = draw_side(kLeft, coarseness);
   const Picture right = display.osmesa ? draw_osmesa(coarseness) : draw_side(kRight, coarseness);
-  difference_ = difference_of(left, right);
-  picture_ =
-      display.difference ? heat_map(left, right, *difference_) : side_by_side(left, right, display.divider);
+  // A view of structure beside OSMesa's picture is no comparison.
+  if (!display.osmesa || !has_view(kLeft)) difference_ = difference_of(left, right);
+  picture_ = display.difference && difference_ ? heat_map(left, right, *difference_)
+                                               : side_by_side(left, right, display.divider);
   return picture_;
 }
 

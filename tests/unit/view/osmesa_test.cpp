@@ -73,6 +73,18 @@ TEST_F(OsmesaSide, TellsWhatOpenglHasNot) {
                                       "R·V highlights at vertices"}));
 }
 
+TEST_F(OsmesaSide, AViewIsNotComparedWithIt) {
+  Viewer viewer(small());
+  viewer.open({kModels + "torus.glb"});
+  viewer.set_osmesa(true);
+  viewer.active().views = {inspect::StructureView::overdraw};
+  const Picture picture = viewer.draw();
+  EXPECT_FALSE(viewer.difference());
+  EXPECT_EQ(picture.height, 120 + viewer.legend_height());
+  viewer.display.difference = true;
+  EXPECT_EQ(viewer.draw().rgba, picture.rgba);
+}
+
 TEST_F(OsmesaSide, GivesBackWhatItPutAside) {
   Viewer viewer(small());
   viewer.open({kModels + "torus.glb"});
