@@ -223,11 +223,13 @@ def gltf_seeds():
 
 def main():
     corpus = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else PROJECT / "tests/fuzz/corpus")
-    for target in ("gltf", "glb", "image"):
+    for target in ("gltf", "glb", "image", "validate"):
         (corpus / target).mkdir(parents=True, exist_ok=True)
     for name, model in gltf_seeds():
         (corpus / "gltf" / f"{name}.gltf").write_bytes(model.text())
         (corpus / "glb" / f"{name}.glb").write_bytes(model.glb())
+        (corpus / "validate" / f"{name}.gltf").write_bytes(model.text())
+    (corpus / "validate" / "textured.glb").write_bytes(textured().glb())
     for name in ("t_junction", "lost_highlight", "checker_square"):
         (corpus / "glb" / f"{name}.glb").write_bytes((PROJECT / f"models/{name}.glb").read_bytes())
     for name, content in pngs():

@@ -1,5 +1,7 @@
 // The state of a draw out of bytes. Every field takes every value it can; a group of fields that most draws
 // leave alone costs one byte.
+#include <algorithm>
+
 #include "random_textures.h"
 #include "scene_choices.h"
 
@@ -204,8 +206,9 @@ pipeline::State any_state(Input& input) {
   state.front_face = input.one_of_first<pipeline::FrontFace>(2);
   state.polygon_mode = input.one_of_first<pipeline::PolygonMode>(3);
   if (input.byte() < 64) {
-    state.point_size = input.number();
-    state.line_width = input.number();
+    // Wider ones take the reference a minute, and are clamped to the frame's largest side anyway.
+    state.point_size = std::min(input.number(), 60.0f);
+    state.line_width = std::min(input.number(), 60.0f);
   }
   any_tests(input, state);
   any_output(input, state);

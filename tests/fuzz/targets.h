@@ -27,10 +27,12 @@ void run_glb(Bytes bytes);    ///< A .glb file likewise.
 void run_image(Bytes bytes);  ///< A PNG or JPEG file: decoded, and what came out encoded and decoded again.
 void run_accessor(Bytes bytes);  ///< Choices: buffers, views and accessors, read in every way.
 void run_scene(Bytes bytes);     ///< Choices: draws, by the renderer and by the scalar reference.
+void run_validate(Bytes bytes);  ///< A .gltf or .glb file, checked against the standard.
 void run_diff(Bytes bytes);      ///< Choices: two pictures and thresholds, compared and reported.
 
-inline constexpr Target kTargets[] = {{"gltf", run_gltf},         {"glb", run_glb},     {"image", run_image},
-                                      {"accessor", run_accessor}, {"scene", run_scene}, {"diff", run_diff}};
+inline constexpr Target kTargets[] = {
+    {"gltf", run_gltf},         {"glb", run_glb},     {"validate", run_validate}, {"image", run_image},
+    {"accessor", run_accessor}, {"scene", run_scene}, {"diff", run_diff}};
 
 /// Ends the process, with the message on standard error, unless `holds`.
 void require(bool holds, const std::string& message);
