@@ -105,7 +105,7 @@ TEST_F(RenderFiles, NamesWithLineFeedsStayOnOneLine) {
 }
 
 TEST_F(RenderFiles, MemoryThatIsNotThereIsAnError) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef BARRIDO_SANITIZED
   GTEST_SKIP() << "sanitizers need the address space";
 #endif
   const Outcome outcome =
