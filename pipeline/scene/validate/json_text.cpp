@@ -63,6 +63,23 @@ std::string with_finite_numbers(std::string_view text) {
   return result;
 }
 
+/// How many values there may be at most: each but the first follows a comma or opens what holds it.
+std::size_t count_values(std::string_view text) {
+  std::size_t count = 1;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == ',' || c == '[' || c == '{')) {
+      ++count;
+    }
+  }
+  return count;
+}
+
 /// The names seen in every open object and array, for duplicates and the places where they are.
 class OpenValues {
  public:
@@ -138,10 +155,15 @@ Json parse(Issues& issues, std::string_view text) {
 
 }  // namespace
 
-std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth) {
+std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth,
+                                    std::size_t max_values) {
   if (text.starts_with(kByteOrderMark)) {
     issues.add(kInvalidJson, Place(), {"it begins with a byte order mark"});
     text.remove_prefix(kByteOrderMark.size());
+  }
+  if (count_values(text) > max_values) {
+    issues.add(kInvalidJson, Place(), {"more than " + std::to_string(max_values) + " values are not read"});
+    return {};
   }
   try {
     gltf::check_json_depth(gltf::Report("JSON"), text, max_depth);

@@ -14,8 +14,10 @@ namespace barrido::scene::validation {
 using Json = nlohmann::json;
 
 /// Numbers too large for a double are ±the largest double afterwards (see is_infinite). Nothing when the text
-/// is no JSON or nests deeper than `max_depth`.
-std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth);
+/// is no JSON, nests deeper than `max_depth`, or has more than `max_values` values, each of which takes
+/// memory.
+std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth,
+                                    std::size_t max_values);
 
 /// Whether the file wrote a number too large for a double.
 bool is_infinite(double value);

@@ -58,7 +58,8 @@ void validate(ValidationReport& report, const std::filesystem::path& path, const
   } else {
     chunks.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
-  std::optional<Json> document = parse_json_text(report.issues, chunks.json, options.max_json_depth);
+  std::optional<Json> document =
+      parse_json_text(report.issues, chunks.json, options.max_json_depth, options.max_json_values);
   if (!document) return;
   if (!document->is_object()) {
     report.issues.add(kTypeMismatch, Place(), {shown(*document), "an object"});

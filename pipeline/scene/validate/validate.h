@@ -16,6 +16,7 @@ namespace barrido::scene {
 struct ValidateOptions {
   std::uint64_t max_file_bytes = std::uint64_t{1} << 31;  ///< Of the file, and of all it refers to.
   int max_json_depth = 64;
+  std::size_t max_json_values = 4'000'000;  ///< Numbers, texts, arrays and objects together.
   std::size_t max_issues = 10'000;          ///< Findings that are kept; others are only counted.
   std::uint64_t max_numbers = 300'000'000;  ///< Numbers in accessors that are looked at, again for every use.
 };

@@ -19,6 +19,12 @@ TEST(ValidateText, SyntaxAndEncoding) {
   EXPECT_EQ(lines_of(validate_text(std::string(100'000, '['))), Lines{"INVALID_JSON "});
 }
 
+TEST(ValidateText, AsManyValuesAsAllowed) {
+  const std::string text = R"({"asset":{"version":"2.0","generator":",[{"}})";
+  EXPECT_EQ(lines_of(validate_text(text, "a.gltf", {.max_json_values = 4})), Lines{});
+  EXPECT_EQ(lines_of(validate_text(text, "a.gltf", {.max_json_values = 3})), Lines{"INVALID_JSON "});
+}
+
 TEST(ValidateText, NamesThatComeTwice) {
   EXPECT_EQ(
       lines_of(validate_text(R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"},{"name":"a","name":"b"}]})"),
@@ -134,6 +140,34 @@ TEST(ValidateFiles, Images) {
   const std::string webp = "RIFF????WEBPVP8X" + std::string(8, '\0') + std::string("\x07\0\0\x03\0\0", 6);
   EXPECT_EQ(image_lines(webp), (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0",
                                       "TEXTURE_INVALID_IMAGE_MIME_TYPE /textures/0/source"}));
+}
+
+// What has no error is drawn, too, where that is possible.
+
+TEST(WithoutErrors, IndicesWithoutAViewAreZeros) {
+  Model model = sound_triangle();
+  primitive(model)["indices"] = model.add_accessor(-1, kU16, "SCALAR", 3);
+  EXPECT_EQ(lines_of(validate(model), Severity::error), Lines{});
+  const Scene scene = model.import();
+  ASSERT_EQ(scene.meshes.at(0).primitives.size(), 1u);
+  EXPECT_EQ(values(scene.meshes[0].primitives[0].indices), (std::vector<std::uint32_t>{0, 0, 0}));
+  EXPECT_EQ(scene.meshes[0].primitives[0].vertex_count, 3u);
+}
+
+TEST(WithoutErrors, ABufferThatNothingUsesMayBeAnywhere) {
+  Model model = sound_triangle();
+  const TemporaryFolder folder;
+  json complete = json::parse(std::ifstream(model.write_gltf(folder)));
+  complete["buffers"].push_back({{"uri", "https://example.com/a.bin"}, {"byteLength", 4}});
+  const std::filesystem::path path = folder.write("model.gltf", complete.dump());
+  EXPECT_EQ(lines_of(validate_gltf(path), Severity::warning), Lines{"NON_RELATIVE_URI /buffers/1/uri"});
+  const Scene scene = import_gltf(path);
+  EXPECT_EQ(scene.meshes.at(0).primitives.size(), 1u);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_CONTAINS(scene.warnings[0], "nothing uses it");
+  complete["bufferViews"][0]["buffer"] = 1;
+  folder.write("model.gltf", complete.dump());
+  EXPECT_CONTAINS(input_error([&] { import_gltf(path); }), "only relative paths");
 }
 
 TEST(ValidateFiles, AFileThatCannotBeReadIsAnInputError) {
