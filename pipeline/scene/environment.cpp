@@ -1,6 +1,7 @@
 // Finds the files of an environment and has them turned into faces.
 #include "pipeline/scene/environment.h"
 
+#include <algorithm>
 #include <optional>
 #include <system_error>
 
@@ -54,15 +55,23 @@ std::optional<std::pair<std::string, const FaceNames*>> find_in_folder(const fs:
   return std::nullopt;
 }
 
+/// Six faces, and the texture with its mip levels that is made of them.
+void take_faces(const fs::path& path, int size, const ImageLimits& limits) {
+  constexpr std::uint64_t kBytes = std::uint64_t{raster::kCubeFaces} * 10;
+  const auto side = static_cast<std::uint64_t>(size);
+  if (limits.budget != nullptr) limits.budget->take(kBytes * side * side, path.string(), "");
+}
+
 CubeMapImage read_six_files(const std::string& pattern, const FaceNames& names,
-                            const EnvironmentEncoding& encoding) {
+                            const EnvironmentEncoding& encoding, const ImageLimits& limits) {
   CubeMapImage cube;
   for (std::size_t face = 0; face < names.size(); ++face) {
     const std::string path = replace_placeholder(pattern, names[face]);
-    const Picture picture = read_picture(path);
+    const Picture picture = read_picture(path, limits);
     const int width = picture_width(picture), height = picture_height(picture);
     const std::string size = std::to_string(width) + " × " + std::to_string(height) + " pixels";
     if (width != height) throw InputError(path, "", size + ": a face of a cube map must be square");
+    if (face == 0) take_faces(path, width, limits);
     if (face == 0) cube.size = width;
     if (width != cube.size) {
       throw InputError(path, "",
@@ -74,10 +83,12 @@ CubeMapImage read_six_files(const std::string& pattern, const FaceNames& names,
   return cube;
 }
 
-CubeMapImage read_one_file(const fs::path& path, const EnvironmentEncoding& encoding) {
-  const Picture picture = read_picture(path);
+CubeMapImage read_one_file(const fs::path& path, const EnvironmentEncoding& encoding,
+                           const ImageLimits& limits) {
+  const Picture picture = read_picture(path, limits);
   const int width = picture_width(picture), height = picture_height(picture);
   const EnvironmentLayout layout = environment_layout(width, height);
+  take_faces(path, std::max(width, height) / 4, limits);
   switch (layout) {
     case EnvironmentLayout::horizontal_cross:
     case EnvironmentLayout::vertical_cross:
@@ -94,7 +105,7 @@ CubeMapImage read_one_file(const fs::path& path, const EnvironmentEncoding& enco
 
 }  // namespace
 
-CubeMapImage read_environment(const fs::path& path, float exposure_ev, bool srgb) {
+CubeMapImage read_environment(const fs::path& path, float exposure_ev, bool srgb, const ImageLimits& limits) {
   const EnvironmentEncoding encoding{exposure_ev, srgb};
   const std::string text = path.string();
   if (text.find(kPlaceholder) != std::string::npos) {
@@ -102,15 +113,15 @@ CubeMapImage read_environment(const fs::path& path, float exposure_ev, bool srgb
     if (names == nullptr) {
       throw InputError(text, "", "no file with px, posx or right in place of " + std::string(kPlaceholder));
     }
-    return read_six_files(text, *names, encoding);
+    return read_six_files(text, *names, encoding, limits);
   }
   std::error_code error;
-  if (!fs::is_directory(path, error)) return read_one_file(path, encoding);
+  if (!fs::is_directory(path, error)) return read_one_file(path, encoding, limits);
   const auto found = find_in_folder(path);
   if (!found) {
     throw InputError(text, "", "the folder holds no px, posx or right (.png .jpg .exr .hdr .tif .tga)");
   }
-  return read_six_files(found->first, *found->second, encoding);
+  return read_six_files(found->first, *found->second, encoding, limits);
 }
 
 }  // namespace barrido::scene

@@ -25,7 +25,8 @@ struct CubeMapImage {
 ///  - a picture 2:1 is latitude-longitude, looking along −Z in its middle, +Y up.
 /// High-range pictures are multiplied by 2^exposure_ev and clamped; `srgb` says whether linear values are to
 /// be stored encoded (the usual) or as they are.
-/// @throws InputError.
-CubeMapImage read_environment(const std::filesystem::path& path, float exposure_ev = 0.0f, bool srgb = true);
+/// Pictures must keep to `limits`. @throws InputError.
+CubeMapImage read_environment(const std::filesystem::path& path, float exposure_ev = 0.0f, bool srgb = true,
+                              const ImageLimits& limits = {});
 
 }  // namespace barrido::scene

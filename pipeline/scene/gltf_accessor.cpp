@@ -11,10 +11,6 @@
 namespace barrido::scene::gltf {
 namespace {
 
-// Copies of a file's numbers: 256 MB for any file, and more for one that is large itself.
-constexpr std::uint64_t kFreeScalars = std::uint64_t{1} << 26;
-constexpr std::uint64_t kScalarsPerByte = 16;
-
 template <typename T>
 bool is_aligned(const std::uint8_t* data) {
   return reinterpret_cast<std::uintptr_t>(data) % alignof(T) == 0;
@@ -97,9 +93,7 @@ const char* format_name(unsigned format) {
 }  // namespace
 
 AccessorReader::AccessorReader(Report& report, const Document& document)
-    : report_(report), document_(document), scalars_left_(kFreeScalars) {
-  for (const Buffer& buffer : document.buffers()) scalars_left_ += kScalarsPerByte * buffer.bytes.size();
-}
+    : report_(report), document_(document) {}
 
 int AccessorReader::components(int accessor) const {
   return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source(accessor).type));
@@ -145,11 +139,8 @@ void AccessorReader::require_bytes(int accessor, const std::string& place) const
 }
 
 void AccessorReader::take_scalars(int accessor, std::size_t scalars) {
-  if (scalars > scalars_left_) {
-    report_.fail(element("accessors", static_cast<std::size_t>(accessor)),
-                 "the file asks for more numbers than the importer's limit allows");
-  }
-  scalars_left_ -= scalars;
+  document_.budget().take(std::uint64_t{4} * scalars, report_.file(),
+                          element("accessors", static_cast<std::size_t>(accessor)));
 }
 
 template <typename Visit>

@@ -89,7 +89,6 @@ class AccessorReader {
 
   Report& report_;
   const Document& document_;
-  std::uint64_t scalars_left_;
   std::uint64_t not_finite_ = 0;
   std::map<std::pair<int, int>, FloatArray> cache_;  ///< By accessor and components.
   std::map<int, CheckedIndices> index_cache_;

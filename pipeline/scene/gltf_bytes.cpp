@@ -2,9 +2,13 @@
 // regular files in the model's folder or below are ever opened, and sizes are known before memory is taken.
 #include "pipeline/scene/gltf_bytes.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cerrno>
 #include <system_error>
 
 namespace barrido::scene::gltf {
@@ -86,9 +90,38 @@ bool is_below(const fs::path& folder, const fs::path& file) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (is_open()) ::close(descriptor_);
+  }
+  bool is_open() const { return descriptor_ >= 0; }
+  int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
 };
+
+std::string open_problem(int error_number) {
+  if (error_number == ENOENT || error_number == ENOTDIR) return "no such file";
+  if (error_number == ENXIO) return "is not a regular file";  // A socket
+  return error_number == EACCES ? "cannot be opened" : std::generic_category().message(error_number);
+}
+
+/// False when the file ends before.
+bool read_fully(int descriptor, std::uint8_t* out, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = ::read(descriptor, out, std::min(size, std::size_t{1} << 30));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    out += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -99,36 +132,24 @@ ByteBlock ByteBlock::allocate(std::size_t size) {
   return block;
 }
 
-Content read_regular_file(const fs::path& path, std::uint64_t max_bytes) {
-  Content content;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    content.problem = error && status.type() != fs::file_type::not_found ? error.message() : "no such file";
-    return content;
-  }
-  if (!fs::is_regular_file(status)) {
-    content.problem = fs::is_directory(status) ? "is a folder, not a file" : "is not a regular file";
-    return content;
-  }
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) {
-    content.problem = error.message();
-    return content;
-  }
+Content read_regular_file(const fs::path& path, std::uint64_t max_bytes, Budget* budget, Budget::Kind kind) {
+  const auto problem = [](std::string text) { return Content{{}, std::move(text)}; };
+  // Opened first and looked at then, so that nothing can take the file's place in between; a pipe that nobody
+  // writes to would otherwise be waited for.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!file.is_open()) return problem(open_problem(errno));
+  struct stat facts {};
+  if (::fstat(file.get(), &facts) != 0) return problem(std::generic_category().message(errno));
+  if (S_ISDIR(facts.st_mode)) return problem("is a folder, not a file");
+  if (!S_ISREG(facts.st_mode)) return problem("is not a regular file");
+  const auto size = static_cast<std::uint64_t>(facts.st_size);
   if (size > max_bytes) {
-    content.problem =
-        "has " + std::to_string(size) + " bytes; at most " + std::to_string(max_bytes) + " are read";
-    return content;
+    return problem("has " + std::to_string(size) + " bytes; at most " + std::to_string(max_bytes) +
+                   " are read");
   }
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-  if (!file) {
-    content.problem = "cannot be opened";
-    return content;
-  }
-  std::setvbuf(file.get(), nullptr, _IONBF, 0);  // One read into place, no copy through a stream's buffer.
-  content.block = ByteBlock::allocate(static_cast<std::size_t>(size));
-  if (std::fread(content.block.writable(), 1, content.block.size(), file.get()) != content.block.size()) {
+  if (budget != nullptr) budget->add_file(size, kind, path.string());
+  Content content{ByteBlock::allocate(static_cast<std::size_t>(size)), {}};
+  if (!read_fully(file.get(), content.block.writable(), content.block.size())) {
     content.problem = "cannot be read to its end";
   }
   return content;

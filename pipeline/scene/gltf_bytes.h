@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "pipeline/scene/budget.h"
+
 namespace barrido::scene::gltf {
 
 /// Bytes that live as long as any copy of the block; the first stands at an address divisible by 16.
@@ -34,8 +36,11 @@ struct Content {
   std::string problem;  ///< Empty when all is well.
 };
 
-/// The whole of a regular file (no folder, device or pipe) of at most `max_bytes`.
-Content read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes);
+/// The whole of a regular file (no folder, device or pipe) of at most `max_bytes`. It is put down in
+/// `budget`, unless that is null, before memory is taken. @throws InputError when the budget does not allow
+/// it.
+Content read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes,
+                          Budget* budget = nullptr, Budget::Kind kind = Budget::Kind::model);
 
 /// Either a path or the reason why there is none.
 struct ResolvedPath {

@@ -85,7 +85,8 @@ Container split_container(Report& report, std::span<const std::uint8_t> file) {
   return {text, std::nullopt};
 }
 
-void check_json_depth(const Report& report, std::string_view json, int max_depth) {
+JsonShape check_json_depth(const Report& report, std::string_view json, int max_depth) {
+  JsonShape shape;
   int depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -95,7 +96,11 @@ void check_json_depth(const Report& report, std::string_view json, int max_depth
       if (c == '"') in_string = false;
     } else if (c == '"') {
       in_string = true;
+    } else if (c == ',') {
+      ++shape.values;
     } else if (c == '{' || c == '[') {
+      ++shape.values;
+      if (c == '{') ++shape.objects;
       if (++depth > max_depth) {
         report.fail("JSON", "arrays and objects nest deeper than " + std::to_string(max_depth) + " levels");
       }
@@ -103,6 +108,7 @@ void check_json_depth(const Report& report, std::string_view json, int max_depth
       --depth;
     }
   }
+  return shape;
 }
 
 }  // namespace barrido::scene::gltf

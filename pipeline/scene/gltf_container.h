@@ -20,7 +20,13 @@ struct Container {
 /// 4.4). The results view `file`. @throws InputError when lengths, version or chunk types are wrong.
 Container split_container(Report& report, std::span<const std::uint8_t> file);
 
+/// How much there is in a JSON text, before it is parsed.
+struct JsonShape {
+  std::uint64_t objects = 0;
+  std::uint64_t values = 0;  ///< Objects and arrays too; at least as many as there are.
+};
+
 /// @throws InputError when arrays and objects nest deeper than `max_depth`.
-void check_json_depth(const Report& report, std::string_view json, int max_depth);
+JsonShape check_json_depth(const Report& report, std::string_view json, int max_depth);
 
 }  // namespace barrido::scene::gltf

@@ -22,11 +22,24 @@ std::string parse_problem(const std::string& what) {
   return one_line(label_end == std::string::npos ? what : what.substr(label_end + 2), 200);
 }
 
-std::unique_ptr<json> parse_json(Report& report, std::string_view text, int max_depth) {
-  check_json_depth(report, text, max_depth);
+/// What the text will become: it is parsed twice, and written once in between; every object is then one of
+/// tinygltf's and of the scene's, which are large, however empty.
+void take_for_json(const Report& report, const JsonShape& shape, std::size_t text_bytes, Budget& budget) {
+  constexpr std::uint64_t kOfAValue = 64, kOfAnObject = 1536;
+  budget.take(3 * text_bytes + kOfAValue * shape.values + kOfAnObject * shape.objects, report.file(), "JSON");
+}
+
+std::unique_ptr<json> parse_json(Report& report, std::string_view text, const ImportOptions& options) {
+  const JsonShape shape = check_json_depth(report, text, options.max_json_depth);
+  take_for_json(report, shape, text.size(), *options.budget);
   try {
     auto document = std::make_unique<json>(json::parse(text.begin(), text.end()));
     check_document(report, *document);
+    constexpr std::uint64_t kOfAMaterial = 2560;  // More than of any other object
+    const auto materials = document->find("materials");
+    if (materials != document->end()) {
+      options.budget->take(kOfAMaterial * materials->size(), report.file(), "materials");
+    }
     return document;
   } catch (const json::exception& error) {
     report.fail("JSON", parse_problem(error.what()));
@@ -49,11 +62,12 @@ std::string shown_uri(const std::string& uri) {
   return is_data_uri(uri) ? std::string("data URI") : one_line(uri, 80);
 }
 
-Content read_uri(const std::filesystem::path& folder, const std::string& uri, std::uint64_t max_bytes) {
-  if (is_data_uri(uri)) return decode_data_uri(uri);
+Content read_uri(const std::filesystem::path& folder, const std::string& uri, const ImportOptions& options,
+                 Budget::Kind kind) {
+  if (is_data_uri(uri)) return decode_data_uri(uri);  // Smaller than the text, which has been put down.
   const ResolvedPath resolved = resolve_uri(folder, uri);
   if (!resolved.problem.empty()) return {{}, resolved.problem};
-  return read_regular_file(resolved.path, max_bytes);
+  return read_regular_file(resolved.path, options.max_file_bytes, options.budget.get(), kind);
 }
 
 /// Which buffers have views.
@@ -91,10 +105,10 @@ bool give_views_to_indices(json& document) {
 
 Document::Document(Report& report, const std::filesystem::path& path, const ImportOptions& options)
     : folder_(path.parent_path()), options_(options) {
-  const Content file = read_regular_file(path, options.max_file_bytes);
+  const Content file = read_regular_file(path, options.max_file_bytes, options.budget.get());
   if (!file.problem.empty()) report.fail("", file.problem);
   const Container container = split_container(report, file.block.bytes());
-  json_ = parse_json(report, container.json, options.max_json_depth);
+  json_ = parse_json(report, container.json, options);
   check_version(report, (*json_)["asset"]);
   load_buffers(report, container, file.block);
   parse_model(report);
@@ -117,7 +131,7 @@ void Document::load_buffers(Report& report, const Container& container, const By
     if (uri != source.end()) {
       const auto& text = uri->get_ref<const std::string&>();
       place += " (" + shown_uri(text) + ")";
-      Content content = read_uri(folder_, text, options_.max_file_bytes);
+      Content content = read_uri(folder_, text, options_, Budget::Kind::model);
       if (!content.problem.empty()) {
         if (is_viewed[i]) report.fail(place, content.problem);
         report.warn(place + ": " + content.problem + "; nothing uses it");
@@ -195,7 +209,7 @@ EncodedImage Document::read_image(std::size_t index) const {
   if (uri != source.end()) {
     const auto& text = uri->get_ref<const std::string&>();
     if (!is_data_uri(text)) image.name = text;
-    Content content = read_uri(folder_, text, options_.max_file_bytes);
+    Content content = read_uri(folder_, text, options_, Budget::Kind::picture);
     image.problem = content.problem;
     image.bytes = content.block.bytes();
     image.owner = content.block.owner();

@@ -36,13 +36,14 @@ struct EncodedImage {
 class Document {
  public:
   /// Reads `path` and the buffers it refers to.
-  /// @throws InputError.
+  /// `options` must have a budget. @throws InputError.
   Document(Report& report, const std::filesystem::path& path, const ImportOptions& options);
   ~Document();
 
   const tinygltf::Model& model() const { return model_; }
   /// The checked JSON; without buffers and their contents.
   const nlohmann::json& tree() const { return *json_; }
+  Budget& budget() const { return *options_.budget; }
   const std::vector<Buffer>& buffers() const { return buffers_; }
   const Buffer& buffer(int index) const { return buffers_[static_cast<std::size_t>(index)]; }
   bool has_bytes(int buffer_view) const;

@@ -32,7 +32,10 @@ void Report::fail(const std::string& place, const std::string& reason) const {
 }
 
 void Report::warn(const std::string& line) {
-  if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end()) warnings_.push_back(line);
+  constexpr std::size_t kMost = 64;  // Nobody reads more; and each new line is compared with all.
+  if (warnings_.size() > kMost) return;
+  if (std::find(warnings_.begin(), warnings_.end(), line) != warnings_.end()) return;
+  warnings_.push_back(warnings_.size() < kMost ? line : "there are more warnings; these are the first");
 }
 
 }  // namespace barrido::scene::gltf

@@ -25,7 +25,7 @@ class Report {
   /// @throws InputError always: "file: place: reason".
   [[noreturn]] void fail(const std::string& place, const std::string& reason) const;
 
-  /// Keeps one line for the user; the same line is kept once.
+  /// Keeps one line for the user; the same line is kept once, and of many different ones the first.
   void warn(const std::string& line);
 
   std::vector<std::string> take_warnings() { return std::move(warnings_); }

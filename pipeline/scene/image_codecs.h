@@ -36,7 +36,8 @@ Samples16 decode_png_16(std::span<const std::uint8_t> bytes, const std::string& 
 /// @throws InputError naming `name`.
 Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
 
-/// Refuses a size outside the limits; called as soon as a header is read, before memory is taken.
+/// Refuses a size outside the limits, and puts it down in their budget; called once, as soon as a header is
+/// read, before memory is taken.
 /// @throws InputError naming `name`.
 void check_image_size(std::uint64_t width, std::uint64_t height, const std::string& name,
                       const ImageLimits& limits);

@@ -15,6 +15,7 @@ void check_image_size(std::uint64_t width, std::uint64_t height, const std::stri
   if (width * height > limits.max_pixels) {
     throw InputError(name, "", size + ": a picture may have at most " + std::to_string(limits.max_pixels));
   }
+  if (limits.budget != nullptr) limits.budget->take(width * height * limits.bytes_a_pixel, name, "");
 }
 
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {

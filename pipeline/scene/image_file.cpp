@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "pipeline/scene/error.h"
+#include "pipeline/scene/temporary_files.h"
 
 namespace barrido::scene {
 namespace {
@@ -37,23 +38,6 @@ class Descriptor {
 
  private:
   int descriptor_;
-};
-
-/// Removes a file unless told that it is wanted.
-class Temporary {
- public:
-  explicit Temporary(fs::path path) : path_(std::move(path)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-  void keep() { path_.clear(); }
-
- private:
-  fs::path path_;
 };
 
 /// A new empty file in `folder`; hidden, so that a pattern such as *.png does not find it.
@@ -94,7 +78,7 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
   fs::path target = fs::exists(status) ? fs::canonical(path, error) : path;
   if (error) target = path;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  Temporary temporary(create_temporary(folder, path));
+  TemporaryPath temporary(create_temporary(folder, path));
   write(temporary.path());
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw cannot_write(path, errno);
   temporary.keep();

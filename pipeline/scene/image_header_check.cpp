@@ -129,7 +129,9 @@ void check_exr(std::span<const std::uint8_t> bytes, const std::string& name, con
 }  // namespace
 
 void check_header(std::span<const std::uint8_t> bytes, const FormatTraits& format, const std::string& name,
-                  const ImageLimits& limits) {
+                  const ImageLimits& asked) {
+  ImageLimits limits = asked;
+  limits.budget = nullptr;  // The reader will put it down.
   if (format.format == ImageFormat::exr) check_exr(bytes, name, limits);
   if (format.format == ImageFormat::bmp) check_bmp(bytes, name, limits);
   if (format.format == ImageFormat::tga) check_tga(bytes, name, limits);

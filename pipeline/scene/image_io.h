@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/scene/budget.h"
 #include "pipeline/scene/error.h"
 #include "pipeline/scene/scene.h"
 
@@ -26,6 +27,8 @@ struct FloatImage {
 struct ImageLimits {
   int max_side = 16384;
   std::uint64_t max_pixels = std::uint64_t{1} << 26;
+  Budget* budget = nullptr;         ///< The picture is put down in it before memory is taken; null: in none.
+  std::uint64_t bytes_a_pixel = 4;  ///< That this will take, where the reader does not know better.
 };
 
 /// Decodes PNG or JPEG (told apart by their first bytes). The header is checked before memory is taken.

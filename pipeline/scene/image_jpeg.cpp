@@ -58,6 +58,9 @@ void on_progress(j_common_ptr info) {
   const auto scans = static_cast<std::uint64_t>(std::max(decoder->input_scan_number, 0));
   const std::uint64_t pixels = std::uint64_t{decoder->image_width} * decoder->image_height;
   if (scans > kMaxScans || scans * pixels > kMaxScannedPixels) leave(info, "it has too many scans");
+  const auto* budget = static_cast<const Budget*>(info->client_data);
+  if (budget != nullptr && budget->is_late())
+    leave(info, "it takes too long to read (--max-seconds allows more)");
 }
 
 /// Everything that lives while a picture is decoded; freed by its destructor, outside the jumps.
@@ -90,6 +93,15 @@ bool read_header(Decoder& decoder, std::span<const std::uint8_t> bytes) {
   decoder.inverted_cmyk = cmyk && decoder.info.saw_Adobe_marker != 0;
   decoder.info.progress = &decoder.progress;
   return true;
+}
+
+/// Pictures of several scans are held as 16-bit coefficients of whole blocks until the last has come.
+ImageLimits limits_of(Decoder& decoder, const ImageLimits& asked) {
+  ImageLimits limits = asked;
+  if (jpeg_has_multiple_scans(&decoder.info) != FALSE) {
+    limits.bytes_a_pixel += 2 * static_cast<std::uint64_t>(decoder.info.num_components);
+  }
+  return limits;
 }
 
 /// `pixels` has room for 4 bytes a pixel of the header's size.
@@ -129,7 +141,8 @@ Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, 
   };
   Decoder decoder;
   if (!read_header(decoder, bytes)) throw refuse(decoder);
-  check_image_size(decoder.info.image_width, decoder.info.image_height, name, limits);
+  decoder.info.client_data = limits.budget;
+  check_image_size(decoder.info.image_width, decoder.info.image_height, name, limits_of(decoder, limits));
   Image image;
   image.name = name;
   image.width = static_cast<int>(decoder.info.image_width);

@@ -86,7 +86,10 @@ Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem
     throw InputError(name, "", "damaged " + std::string(format.name) + ": " + error.text);
   }
   ImageLimits limits_here = limits;
-  if (header.is_float != 0) limits_here.max_pixels = limits.max_pixels / 2;
+  if (header.is_float != 0) {
+    limits_here.max_pixels = limits.max_pixels / 2;
+    limits_here.bytes_a_pixel = std::max<std::uint64_t>(limits.bytes_a_pixel, 16);
+  }
   check_image_size(static_cast<std::uint64_t>(header.width), static_cast<std::uint64_t>(header.height), name,
                    limits_here);
   return reader;

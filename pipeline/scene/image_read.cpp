@@ -19,7 +19,8 @@ struct Recognized {
 
 Recognized recognize(const std::filesystem::path& path, const ImageLimits& limits) {
   const std::string name = path.string();
-  Recognized file{gltf::read_regular_file(path, kMaxFileBytes), nullptr};
+  Recognized file{gltf::read_regular_file(path, kMaxFileBytes, limits.budget, Budget::Kind::picture),
+                  nullptr};
   if (!file.content.problem.empty()) throw InputError(name, "", file.content.problem);
   const auto bytes = file.content.block.bytes();
   if (bytes.empty()) throw InputError(name, "", "the picture is empty (0 bytes)");
@@ -48,7 +49,9 @@ Picture read_picture(const std::filesystem::path& path, const ImageLimits& limit
   return decode_image(file.content.block.bytes(), path.string(), limits);
 }
 
-StoredPicture read_stored_picture(const std::filesystem::path& path, const ImageLimits& limits) {
+StoredPicture read_stored_picture(const std::filesystem::path& path, const ImageLimits& asked) {
+  ImageLimits limits = asked;
+  limits.bytes_a_pixel = 24;  // Floats, and 16-bit integers on the way to them
   const Recognized file = recognize(path, limits);
   if (file.format->openimageio_name != nullptr) return read_stored_with_module(path, *file.format, limits);
   const auto bytes = file.content.block.bytes();

@@ -9,6 +9,7 @@
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/image_module.h"
 #include "pipeline/scene/image_pack.h"
+#include "pipeline/scene/temporary_files.h"
 
 namespace barrido::scene {
 namespace {
@@ -71,27 +72,14 @@ std::vector<std::uint8_t> encode_built_in(const FormatTraits& format, const Imag
   return format.format == ImageFormat::png ? encode_png(image, options) : encode_jpeg(image, options);
 }
 
-/// A folder of our own for files that exist only on the way to memory; removed with all it holds.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "barrido-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-      throw InputError(pattern, "", "a temporary folder cannot be made");
-    }
-    path_ = pattern;
+/// A folder of our own for files that exist only on the way to memory.
+fs::path make_temporary_folder() {
+  std::string pattern = (fs::temp_directory_path() / "barrido-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    throw InputError(pattern, "", "a temporary folder cannot be made");
   }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+  return pattern;
+}
 
 }  // namespace
 
@@ -103,8 +91,9 @@ std::vector<std::uint8_t> encode_image(const std::string& extension, const Image
   const FormatTraits& format = format_to_write(name);
   if (format.openimageio_name == nullptr) return encode_built_in(format, image, options);
   // Most of the module's writers know files only.
-  const TemporaryFolder folder;
-  const fs::path file = folder.path() / name;
+  const TemporaryPath folder(make_temporary_folder());
+  const TemporaryPath file_in_folder(folder.path() / name);
+  const fs::path& file = file_in_folder.path();
   write_external(file, file, format, image, options);
   const gltf::Content content = gltf::read_regular_file(file, std::uint64_t{1} << 40);
   if (!content.problem.empty()) throw InputError(file.string(), "", content.problem);

@@ -47,8 +47,10 @@ Scene import_document(Report& report, const Document& document, const ImportOpti
 Scene import_gltf(const std::filesystem::path& path, const ImportOptions& options) {
   gltf::Report report(path.string());
   try {
-    const gltf::Document document(report, path, options);
-    return gltf::import_document(report, document, options);
+    ImportOptions limited = options;
+    if (!limited.budget) limited.budget = std::make_shared<Budget>();
+    const gltf::Document document(report, path, limited);
+    return gltf::import_document(report, document, limited);
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {

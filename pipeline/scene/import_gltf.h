@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 
+#include "pipeline/scene/budget.h"
 #include "pipeline/scene/error.h"
 #include "pipeline/scene/scene.h"
 
@@ -26,6 +28,7 @@ struct ImportOptions {
   std::uint64_t max_vertices = 100'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;  ///< Of any one image.
   int max_json_depth = 64;
+  std::shared_ptr<Budget> budget;  ///< Of memory and time. Null: one with the default limits.
 };
 
 /// Reads a .gltf or .glb file with all it refers to, which must lie in the file's own folder or below.

@@ -10,6 +10,7 @@
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/diff_options.h"
 #include "viewer/barrido/help.h"
+#include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/standard_streams.h"
 #include "viewer/compare/bless.h"
 #include "viewer/compare/figures_text.h"
@@ -141,6 +142,11 @@ int run_diff(std::span<const std::string> words) {
   console_options.quiet = options.quiet;
   console_options.is_terminal = isatty(kStandardError) == 1;
   Console console(console_options);
+  if (options.limits.max_memory) limit_data(*options.limits.max_memory);
+  if (options.limits.max_seconds) {
+    start_clock(*options.limits.max_seconds, options.expected + ", " + options.actual +
+                                                 ": not compared within the seconds of --max-seconds");
+  }
   return DiffCall(options, console).run();
 }
 

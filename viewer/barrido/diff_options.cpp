@@ -70,6 +70,14 @@ constexpr DiffOption kTable[] = {
       "Make what differs or is new the expected picture: copy it from B over A's, file by file, and tell "
       "which. Nothing is deleted; what is within the thresholds stays as it is. A need not exist."},
      [](Options& o, Text) { o.bless = true; }},
+    {{"Execution", "--max-memory", "", kValue, "SIZE",
+      "Take no more memory than SIZE, as 512M or 4G. Default: 4G for the pictures of a pair."},
+     [](Options& o, Text text) {
+       o.limits.max_memory = parse_memory(text);
+       o.settings.max_memory = *o.limits.max_memory;
+     }},
+    {{"Execution", "--max-seconds", "", kValue, "N", "End after N seconds. Default: never."},
+     [](Options& o, Text text) { o.limits.max_seconds = parse_seconds(text); }},
     {{"Execution", "--no-flip", "", kFlag, "", "Leave out FLIP, which takes most of the time."},
      [](Options& o, Text) { o.settings.flip = false; }},
     {{"Execution", "--help", "-h", kFlag, "", "This text."}, [](Options& o, Text) { o.help = true; }},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "viewer/barrido/arguments.h"
+#include "viewer/barrido/call_limits.h"
 #include "viewer/compare/compare_pair.h"
 #include "viewer/compare/difference_picture.h"
 
@@ -17,6 +18,7 @@ struct DiffOptions {
   std::string expected, actual;
   std::string output;             ///< Difference picture; empty: none.
   std::string html, junit, json;  ///< Reports; empty: none. "-" is standard output (not for html).
+  LimitOptions limits;
   compare::Settings settings;
   compare::DifferenceOptions difference;
 };

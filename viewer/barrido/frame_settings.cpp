@@ -24,10 +24,12 @@ scene::RenderSettings resolved_settings(const RenderOptions& options) {
   return settings;
 }
 
-std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options) {
+std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options, scene::Budget* budget) {
   if (options.environment_path.empty()) return nullptr;
   const bool srgb = options.settings.color_management == scene::ColorManagement::srgb;
-  const scene::CubeMapImage image = scene::read_environment(options.environment_path);
+  scene::ImageLimits limits;
+  limits.budget = budget;
+  const scene::CubeMapImage image = scene::read_environment(options.environment_path, 0.0f, true, limits);
   raster::TextureOptions texture_options;
   texture_options.encoding = srgb ? raster::Encoding::srgb : raster::Encoding::linear;
   std::array<raster::Pixels8, raster::kCubeFaces> faces;

@@ -17,6 +17,7 @@ extern const unsigned kDrawnImages;
 scene::RenderSettings resolved_settings(const RenderOptions& options);
 
 /// The cube map of --environment PATH; null where none was asked for. @throws scene::InputError.
-std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options);
+std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options,
+                                                        scene::Budget* budget = nullptr);
 
 }  // namespace barrido::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/diff_options.h"
 #include "viewer/barrido/inspect_options.h"
 #include "viewer/barrido/render_options.h"
@@ -16,6 +17,8 @@ constexpr OptionSyntax kInfoSyntax[] = {
     {"Options", "--json", "", OptionKind::flag, "", "As JSON, for programs."},
     {"Options", "--validate", "", OptionKind::flag, "",
      "Check the file against glTF 2.0 instead, in the terms of the Khronos glTF validator."},
+    {"Options", "--max-memory", "", OptionKind::value, "SIZE", kMaxMemoryHelp},
+    {"Options", "--max-seconds", "", OptionKind::value, "N", kMaxSecondsHelp},
     {"Options", "--help", "-h", OptionKind::flag, "", "This text."},
 };
 

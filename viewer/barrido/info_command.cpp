@@ -1,5 +1,8 @@
+#include <filesystem>
+
 #include "pipeline/scene/import_gltf.h"
 #include "viewer/barrido/arguments.h"
+#include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/help.h"
@@ -10,23 +13,47 @@
 namespace barrido::cli {
 namespace {
 
-enum InfoOption : std::size_t { kJson, kValidate, kHelp };
+enum InfoOption : std::size_t { kJson, kValidate, kMaxMemory, kMaxSeconds, kHelp };
 
-DrawingVerdict drawing_verdict(const std::string& file) {
+DrawingVerdict drawing_verdict(const std::string& file, CallLimits& limits) {
   try {
-    scene::import_gltf(file);
+    scene::ImportOptions import;
+    import.budget = limits.open(file);
+    scene::import_gltf(file, import);
     return {};
   } catch (const scene::InputError& error) {
     return {false, error.what()};
   }
 }
 
-int validate(const std::string& file, bool as_json) {
+/// The validator has limits of its own; here is the end for what they do not foresee.
+void allow_validation(const std::string& file, CallLimits& limits) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (!error) limits.open(file, true)->add_file(bytes, scene::Budget::Kind::model, file);
+}
+
+int validate(const std::string& file, bool as_json, CallLimits& limits) {
+  allow_validation(file, limits);
   const scene::ValidationReport report = scene::validate_gltf(file);
-  const DrawingVerdict verdict = drawing_verdict(file);
+  const DrawingVerdict verdict = drawing_verdict(file, limits);
   write_standard_output(
       bytes_of(as_json ? validation_json(report, verdict) : validation_text(report, verdict)));
   return report.issues.count(scene::validation::Severity::error) == 0 ? kExitFine : kExitError;
+}
+
+LimitOptions limits_of(const Arguments& arguments) {
+  LimitOptions limits;
+  for (const GivenOption& given : arguments.options) {
+    try {
+      if (given.index == kMaxMemory) limits.max_memory = parse_memory(given.value);
+      if (given.index == kMaxSeconds) limits.max_seconds = parse_seconds(given.value);
+    } catch (const ValueError& error) {
+      throw UsageError(std::string(info_syntax()[given.index].name) + ": '" + given.value +
+                       "': " + error.what());
+    }
+  }
+  return limits;
 }
 
 }  // namespace
@@ -39,8 +66,11 @@ int run_info(std::span<const std::string> words) {
   }
   if (arguments.files.empty()) throw UsageError("info: no FILE given; see barrido info --help");
   if (arguments.files.size() > 1) throw UsageError("info: one FILE at a time");
-  if (arguments.has(kValidate)) return validate(arguments.files[0], arguments.has(kJson));
-  const scene::Scene scene = scene::import_gltf(arguments.files[0]);
+  CallLimits limits(limits_of(arguments));
+  if (arguments.has(kValidate)) return validate(arguments.files[0], arguments.has(kJson), limits);
+  scene::ImportOptions import;
+  import.budget = limits.open(arguments.files[0]);
+  const scene::Scene scene = scene::import_gltf(arguments.files[0], import);
   const SceneSummary summary = summarize(scene);
   if (arguments.has(kJson)) {
     write_standard_output(bytes_of(info_json(scene, summary)));

@@ -18,9 +18,10 @@ namespace barrido::cli {
 namespace {
 
 /// The settings of the one frame that the options ask for.
-scene::RenderSettings settings_of_frame(const RenderOptions& options, const scene::Scene& scene) {
+scene::RenderSettings settings_of_frame(const RenderOptions& options, const scene::Scene& scene,
+                                        CallLimits& limits) {
   scene::RenderSettings settings = resolved_settings(options);
-  settings.environment = load_environment(options);
+  settings.environment = load_environment(options, limits.open(options.environment_path, true).get());
   const int root = scene::resolve_scene_index(scene, settings.scene_index);
   const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
   const FileFacts facts{options.files[0], static_cast<int>(cameras.size()),
@@ -42,12 +43,18 @@ int run_inspect(std::span<const std::string> words) {
                     static_cast<std::size_t>(options.frame.threads));
   }
   raster::set_simd_target(options.frame.simd);
+  CallLimits limits(options.frame.limits);
+  const double pixels = static_cast<double>(options.frame.settings.width) * options.frame.settings.height;
+  limits.expect_frames(static_cast<std::uint64_t>(pixels) * 64);
   scene::ImportOptions import;
+  import.budget = limits.open(options.frame.files[0]);
   import.image_roles = kDrawnImages;
   const scene::Scene scene = scene::import_gltf(options.frame.files[0], import);
   scene::SceneRenderer renderer(scene);
-  const inspect::PixelStory story =
-      inspect::inspect_pixel(scene, renderer, settings_of_frame(options.frame, scene), options.x, options.y);
+  const scene::RenderSettings settings = settings_of_frame(options.frame, scene, limits);
+  limits.draw(options.frame.files[0], pixels);
+  const inspect::PixelStory story = inspect::inspect_pixel(scene, renderer, settings, options.x, options.y);
+  limits.rest();
   ConsoleOptions console_options;
   console_options.quiet = options.frame.quiet;
   Console console(console_options);

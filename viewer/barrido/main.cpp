@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/help.h"
+#include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/spelling.h"
 #include "viewer/barrido/standard_streams.h"
 #include "viewer/barrido/usage_error.h"
@@ -41,7 +41,7 @@ int run(const std::vector<std::string>& words) {
                    did_you_mean(command, kCommands) + " (see barrido --help)");
 }
 
-int fail(const char* message) {
+int fail(const std::string& message) {
   Console({}).error(message);
   return kExitError;
 }
@@ -50,11 +50,10 @@ int fail(const char* message) {
 
 int main(int argument_count, char** arguments) {
   prepare_standard_streams();
+  guard_process();
   try {
     return run({arguments + std::min(argument_count, 1), arguments + argument_count});
-  } catch (const std::bad_alloc&) {
-    return fail("not enough memory");
   } catch (const std::exception& error) {
-    return fail(error.what());
+    return fail(is_out_of_memory(error) ? out_of_memory() : error.what());
   }
 }

@@ -15,6 +15,7 @@
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/frame_output.h"
 #include "viewer/barrido/frame_settings.h"
+#include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/stopwatch.h"
 
 namespace barrido::cli {
@@ -52,7 +53,7 @@ void make_folders(const std::vector<PlannedFrame>& frames) {
 }  // namespace
 
 RenderCall::RenderCall(const RenderOptions& options, Console& console)
-    : options_(options), console_(console), settings_(options.settings) {}
+    : options_(options), console_(console), limits_(options.limits), settings_(options.settings) {}
 
 int RenderCall::run() {
   const Stopwatch watch;
@@ -77,7 +78,8 @@ void RenderCall::load_environment() {
   if (options_.environment_path.empty()) return;
   console_.set_progress("loading " + options_.environment_path);
   const Stopwatch watch;
-  settings_.environment = cli::load_environment(options_);
+  settings_.environment =
+      cli::load_environment(options_, limits_.open(options_.environment_path, true).get());
   report_.environment_ms = watch.milliseconds();
 }
 
@@ -90,20 +92,24 @@ bool RenderCall::render_file(const std::string& path) {
   try {
     scene::ImportOptions import;
     import.image_roles = kDrawnImages;
+    import.budget = limits_.open(path);
     scene = scene::import_gltf(path, import);
     frames = plan(*scene, path);
-  } catch (const std::bad_alloc&) {
-    if (options_.sheet) throw scene::InputError(path, "", "not enough memory");
-    console_.error(path + ": not enough memory");
-    return false;
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
+    const bool memory = is_out_of_memory(error);
+    if (options_.sheet && memory) throw scene::InputError(path, "", out_of_memory());
     if (options_.sheet) throw;
-    console_.error(error.what());
+    console_.error(memory ? path + ": " + out_of_memory() : error.what());
     return false;
   }
   report_.models.push_back({path, watch.milliseconds()});
   for (const std::string& warning : scene->warnings) console_.warning(warning);
-  render_frames(*scene, path, frames);
+  try {
+    render_frames(*scene, path, frames);
+  } catch (const std::exception& error) {
+    if (!is_out_of_memory(error)) throw;
+    throw scene::InputError(path, "", out_of_memory());
+  }
   return true;
 }
 
@@ -117,6 +123,7 @@ std::vector<PlannedFrame> RenderCall::plan(const scene::Scene& scene, const std:
 void RenderCall::render_frames(const scene::Scene& scene, const std::string& path,
                                const std::vector<PlannedFrame>& frames) {
   make_folders(frames);
+  expect_frames(frames.size());
   scene::SceneRenderer renderer(scene);
   std::set<std::string> warned;
   FrameStages stages;
@@ -132,9 +139,26 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
   stages.encode = [this](FrameInFlight& frame) { encode(frame); };
   stages.deliver = [this](FrameInFlight& frame) { deliver(frame); };
   run_frames(frames.size(), frames_in_flight(frame_bytes(settings_), thread_count()), stages);
+  limits_.rest();
 }
 
-void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const {
+/// What frames take while they are drawn, encoded, and kept for a sheet.
+void RenderCall::expect_frames(std::size_t count) {
+  constexpr std::uint64_t kDrawnBytes = 64, kKeptBytes = 24;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(settings_.width) * static_cast<std::uint64_t>(settings_.height);
+  const std::uint64_t in_flight = frames_in_flight(frame_bytes(settings_), thread_count());
+  const std::uint64_t waiting = std::min<std::uint64_t>(in_flight, count) * frame_bytes(settings_);
+  const std::uint64_t kept = options_.sheet ? (report_.frames.size() + count) * pixels * kKeptBytes : 0;
+  limits_.expect_frames(pixels * kDrawnBytes + waiting + kept);
+}
+
+void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) {
+  // Environments from the centres of objects are up to 16 times six pictures more.
+  constexpr double kPixelsOfDynamicMaps = 16.0 * 6.0 * 256.0 * 256.0;
+  limits_.draw(path + ": " + frame.plan->label,
+               static_cast<double>(settings_.width) * settings_.height +
+                   (settings_.dynamic_environment ? kPixelsOfDynamicMaps : 0.0));
   const Stopwatch watch;
   try {
     scene::RenderSettings settings = settings_of(settings_, *frame.plan);
@@ -146,8 +170,9 @@ void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, F
       frame.cost.stage_ms[static_cast<std::size_t>(stage)] =
           profile.milliseconds(static_cast<raster::Stage>(stage));
     }
-  } catch (const std::bad_alloc&) {
-    throw scene::InputError(path, frame.plan->label, "not enough memory");
+  } catch (const std::exception& error) {
+    if (!is_out_of_memory(error)) throw;
+    throw scene::InputError(path, frame.plan->label, out_of_memory());
   }
   frame.framebuffer->depth() = {};  // Not written; the memory serves the next frame.
   frame.cost.draw_ms = watch.milliseconds();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/scene/render_scene.h"
+#include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/cost_report.h"
 #include "viewer/barrido/frame_pipeline.h"
@@ -32,7 +33,8 @@ class RenderCall {
   std::vector<PlannedFrame> plan(const scene::Scene& scene, const std::string& path) const;
   void render_frames(const scene::Scene& scene, const std::string& path,
                      const std::vector<PlannedFrame>& frames);
-  void draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) const;
+  void expect_frames(std::size_t count);
+  void draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame);
   void encode(FrameInFlight& frame) const;
   void deliver(FrameInFlight& frame);
   void write_sheet();
@@ -43,6 +45,7 @@ class RenderCall {
 
   const RenderOptions& options_;
   Console& console_;
+  CallLimits limits_;
   scene::RenderSettings settings_;
   CostReport report_;
   FrameSheet sheet_;

@@ -11,6 +11,7 @@
 #include "pipeline/scene/render_scene.h"
 #include "raster/simd_target.h"
 #include "viewer/barrido/arguments.h"
+#include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/fog_spec.h"
 #include "viewer/barrido/usage_error.h"
 
@@ -52,6 +53,7 @@ struct RenderOptions {
   std::optional<double> time_s;
   std::optional<int> animation;
 
+  LimitOptions limits;
   int threads = 0;  ///< 0: as many as the machine has.
   raster::SimdTarget simd = raster::SimdTarget::automatic;
 

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/scene/image_file.h"
 #include "viewer/barrido/spelling.h"
 #include "viewer/barrido/values.h"
 
@@ -20,9 +21,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLargestFile = 1 << 20;
 
 /// Options about the call, not about one picture.
-constexpr std::string_view kNotSettings[] = {
-    "--output", "--sheet", "--compression", "--hash", "--stats",    "--quiet", "--turntable",
-    "--frames", "--fps",   "--threads",     "--simd", "--settings", "--help",  "--report"};
+constexpr std::string_view kNotSettings[] = {"--output", "--sheet",   "--compression", "--hash",
+                                             "--stats",  "--quiet",   "--turntable",   "--frames",
+                                             "--fps",    "--threads", "--simd",        "--settings",
+                                             "--help",   "--report",  "--max-memory",  "--max-seconds"};
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -180,16 +182,8 @@ std::string settings_json(std::span<const OptionSyntax> syntax, std::span<const 
 
 void write_settings(const std::string& path, std::span<const OptionSyntax> syntax,
                     std::span<const std::string> words) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file << settings_json(syntax, words);
-  file.close();
-  std::error_code error;
-  if (!file.fail()) std::filesystem::rename(temporary, path, error);
-  if (!file.fail() && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw scene::InputError(path, "", "cannot be written");
+  const std::string text = settings_json(syntax, words);
+  scene::write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace barrido::cli

@@ -63,10 +63,12 @@ void compare_pictures(ComparedPair& pair, const Settings& settings) {
 
 /// @return false when there is a file that cannot be read; the reason is added to `note`.
 bool load(const std::filesystem::path& path, StoredPicture& picture, std::optional<PictureFacts>& facts,
-          std::string& note) {
+          std::string& note, scene::Budget& budget) {
   if (path.empty()) return true;
   try {
-    picture = scene::read_stored_picture(path);
+    scene::ImageLimits limits;
+    limits.budget = &budget;
+    picture = scene::read_stored_picture(path, limits);
     facts = facts_of(picture);
     return true;
   } catch (const scene::InputError& error) {
@@ -87,8 +89,10 @@ ComparedPair compare_pair(const Pair& pair, const Settings& settings) {
   ComparedPair compared;
   Result& result = compared.result;
   result.pair = pair;
-  const bool expected_read = load(pair.expected, compared.expected, result.expected, result.note);
-  const bool actual_read = load(pair.actual, compared.actual, result.actual, result.note);
+  constexpr double kNever = 1e9;
+  scene::Budget budget({settings.max_memory, kNever});
+  const bool expected_read = load(pair.expected, compared.expected, result.expected, result.note, budget);
+  const bool actual_read = load(pair.actual, compared.actual, result.actual, result.note, budget);
   if (!expected_read || !actual_read) return compared;
   if (result.expected && result.actual) {
     compare_pictures(compared, settings);

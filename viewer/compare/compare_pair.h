@@ -3,6 +3,7 @@
 // compared.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,8 @@ namespace barrido::compare {
 
 struct Settings {
   Thresholds thresholds;
-  bool flip = true;  ///< Compute FLIP.
+  bool flip = true;                                   ///< Compute FLIP.
+  std::uint64_t max_memory = std::uint64_t{4} << 30;  ///< Bytes that the two pictures may take.
 };
 
 /// From the best to the worst.
