@@ -42,12 +42,12 @@ class Budget {
   /// @throws InputError when the time is up.
   void check_time(const std::string& file, const std::string& place) const;
 
-  /// Bytes that files of this size may take: 288 MiB, or 64 for each byte of a model and 160 for each of a
+  /// Bytes that files of this size may take: 384 MiB, or 64 for each byte of a model and 160 for each of a
   /// picture where that is more.
   std::uint64_t allowed_memory() const { return limits_.max_memory.value_or(default_memory()); }
   /// Bytes that the size of the files alone would allow.
   std::uint64_t earned_memory() const { return earned_; }
-  /// 3, and 1 more for each million bytes.
+  /// 4 of the processor, and 1 more for each million bytes.
   double allowed_seconds() const { return limits_.max_seconds.value_or(default_seconds()); }
 
  private:

@@ -1,6 +1,7 @@
 #include "pipeline/scene/image_header_check.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "pipeline/scene/image_codecs.h"
@@ -126,6 +127,68 @@ void check_exr(std::span<const std::uint8_t> bytes, const std::string& name, con
   } while (several && attributes.at_header());
 }
 
+/// The first directory of a TIFF file (TIFF 6.0, section 2), whose reader divides by the sizes of tiles.
+class TiffDirectory {
+ public:
+  TiffDirectory(std::span<const std::uint8_t> bytes, const std::string& name)
+      : bytes_(bytes), name_(name), big_endian_(!bytes.empty() && bytes[0] == 'M') {
+    if (number(2, 2) != 42) throw InputError(name, "", "of TIFF, only the classic kind is read");
+    first_ = std::size_t{number(4, 4)} + 2;
+    count_ = number(first_ - 2, 2);
+  }
+
+  /// The one number of an entry; `otherwise` where there is no such entry, or it has several.
+  std::uint32_t value(std::uint32_t tag, std::uint32_t otherwise) const {
+    constexpr std::uint32_t kShort = 3, kLong = 4;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::size_t entry = first_ + 12 * i;
+      if (number(entry, 2) != tag) continue;
+      const std::uint32_t type = number(entry + 2, 2);
+      if ((type != kShort && type != kLong) || number(entry + 4, 4) != 1) return otherwise;
+      return number(entry + 8, type == kShort ? 2 : 4);
+    }
+    return otherwise;
+  }
+
+ private:
+  std::uint32_t number(std::size_t at, std::size_t size) const {
+    if (at > bytes_.size() || size > bytes_.size() - at) {
+      throw InputError(name_, "", "damaged TIFF: its directory is cut off");
+    }
+    std::uint32_t result = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      result |= std::uint32_t{bytes_[at + i]} << (8 * (big_endian_ ? size - 1 - i : i));
+    }
+    return result;
+  }
+
+  std::span<const std::uint8_t> bytes_;
+  const std::string& name_;
+  bool big_endian_;
+  std::size_t first_ = 0, count_ = 0;
+};
+
+void check_tiff(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {
+  constexpr std::uint32_t kWidth = 256, kHeight = 257, kCompression = 259, kSamples = 277, kTileWidth = 322,
+                          kTileHeight = 323;
+  constexpr std::array<std::uint32_t, 6> kCompressions{1, 5, 7, 8, 32773, 32946};
+  constexpr std::uint32_t kMostSamples = 64, kMostOfATile = 4096;
+  const TiffDirectory directory(bytes, name);
+  check_image_size(directory.value(kWidth, 0), directory.value(kHeight, 0), name, limits);
+  const std::uint32_t compression = directory.value(kCompression, 1);
+  if (std::find(kCompressions.begin(), kCompressions.end(), compression) == kCompressions.end()) {
+    throw InputError(name, "", "TIFF's compression " + std::to_string(compression) + " is not read");
+  }
+  if (directory.value(kSamples, 1) > kMostSamples) throw InputError(name, "", "it has too many channels");
+  constexpr std::uint32_t kAbsent = 16;
+  for (const std::uint32_t side :
+       {directory.value(kTileWidth, kAbsent), directory.value(kTileHeight, kAbsent)}) {
+    if (side == 0 || side > kMostOfATile || side % 16 != 0) {
+      throw InputError(name, "", "damaged TIFF: tiles of " + std::to_string(side) + " pixels a side");
+    }
+  }
+}
+
 }  // namespace
 
 void check_header(std::span<const std::uint8_t> bytes, const FormatTraits& format, const std::string& name,
@@ -135,6 +198,7 @@ void check_header(std::span<const std::uint8_t> bytes, const FormatTraits& forma
   if (format.format == ImageFormat::exr) check_exr(bytes, name, limits);
   if (format.format == ImageFormat::bmp) check_bmp(bytes, name, limits);
   if (format.format == ImageFormat::tga) check_tga(bytes, name, limits);
+  if (format.format == ImageFormat::tiff) check_tiff(bytes, name, limits);
 }
 
 }  // namespace barrido::scene

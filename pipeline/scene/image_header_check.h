@@ -11,7 +11,7 @@
 
 namespace barrido::scene {
 
-/// Refuses BMP, TGA and EXR files with sizes outside the limits, too many tiles, and of BMP and TGA the
+/// Refuses BMP, TGA, TIFF and EXR files with sizes outside the limits, too many tiles, and of BMP and TGA the
 /// colour maps and compressions that nobody needs today; other formats pass. @throws InputError naming
 /// `name`.
 void check_header(std::span<const std::uint8_t> bytes, const FormatTraits& format, const std::string& name,

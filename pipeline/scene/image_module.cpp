@@ -95,6 +95,25 @@ Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem
   return reader;
 }
 
+/// Whether a file of ours can be read to its last row.
+bool is_readable(const BarridoOiioFunctions& functions, const std::filesystem::path& file,
+                 const FormatTraits& format) {
+  BarridoOiioHeader header{};
+  BarridoOiioError error{};
+  const Reader reader(functions.open(file.c_str(), format.openimageio_name, &header, &error), {&functions});
+  if (!reader) return false;
+  const int step = std::max(kRowsAtATime / header.row_step, 1) * header.row_step;
+  std::vector<std::uint8_t> rows(static_cast<std::size_t>(header.width) *
+                                 static_cast<std::size_t>(std::min(step, header.height) * header.channels));
+  for (int begin = 0; begin < header.height; begin += step) {
+    const int end = std::min(begin + step, header.height);
+    if (functions.read_rows(reader.get(), begin, end, BARRIDO_OIIO_UINT8, rows.data(), &error) == 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Picture read_with_module(const std::filesystem::path& path, const FormatTraits& format,
@@ -144,6 +163,13 @@ void write_with_module(const std::filesystem::path& file, const std::filesystem:
   BarridoOiioError error{};
   if (functions.write(file.c_str(), format.openimageio_name, &packed, &error) == 0) {
     throw InputError(target.string(), "", std::string("cannot be written: ") + error.text);
+  }
+  // TIFF's writer does not tell of a full disk. Pipes and devices cannot be read again.
+  std::error_code ignored;
+  const bool can_check =
+      format.format == ImageFormat::tiff && std::filesystem::is_regular_file(file, ignored);
+  if (can_check && !is_readable(functions, file, format)) {
+    throw InputError(target.string(), "", "cannot be written whole: is the disk full?");
   }
 }
 

@@ -69,7 +69,9 @@ void decode_16_bits(spng_ctx* context, const spng_ihdr& header, const std::strin
   int status = SPNG_OK;
   while (status == SPNG_OK) {
     spng_row_info info{};
-    check(spng_get_row_info(context, &info), name);
+    status = spng_get_row_info(context, &info);
+    if (status == SPNG_EOI) break;  // Of the smallest interlaced pictures only here
+    check(status, name);
     status = spng_decode_row(context, row.data(), row.size() * sizeof(std::uint16_t));
     if (status != SPNG_OK && status != SPNG_EOI) check(status, name);
     const bool interlaced = header.interlace_method == SPNG_INTERLACE_ADAM7;

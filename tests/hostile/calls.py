@@ -28,7 +28,6 @@ class Case:
     prepare: Callable[[pathlib.Path], None] | None = None  # For what is no plain file
     writes: str = "out.png"  # What is there afterwards if all is fine; empty: nothing
     fine: tuple[int, ...] = (0,)
-    limits: bool = True  # Whether memory is measured: not where the caller asks for more
 
 
 @dataclasses.dataclass
@@ -38,10 +37,10 @@ class Answer:
     memory_kb: int
 
 
-def call(program: str, words: list[str], folder: pathlib.Path, limit_addresses: bool = True) -> Answer:
+def call(program: str, words: list[str], folder: pathlib.Path, sanitized: bool = False) -> Answer:
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        if limit_addresses:
+        if not sanitized:
             resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, MOST_ADDRESSES))
 
     with tempfile.TemporaryFile() as errors:
@@ -71,10 +70,10 @@ def line_problem(line: str) -> str:
     return "holds control characters" if any(ord(letter) < 32 for letter in line) else ""
 
 
-def problem_of(case: Case, answer: Answer, before: set[str], folder: pathlib.Path) -> str:
+def problem_of(case: Case, answer: Answer, before: set[str], folder: pathlib.Path, sanitized: bool) -> str:
     if answer.status not in (*case.fine, 2):
         return f"status {answer.status}"
-    if case.limits and answer.memory_kb > MOST_MEMORY_KB:
+    if not sanitized and answer.memory_kb > MOST_MEMORY_KB:
         return f"{answer.memory_kb} KB"
     left = all_files(folder) - before
     if answer.status != 2:
@@ -92,8 +91,8 @@ def problem_of(case: Case, answer: Answer, before: set[str], folder: pathlib.Pat
     return line_problem(errors[0]) or (f"left {sorted(left)}" if left else "")
 
 
-def run_case(program: str, case: Case, limit_addresses: bool = True) -> str:
-    """The complaint; empty when all is well."""
+def run_case(program: str, case: Case, sanitized: bool = False) -> str:
+    """The complaint; empty when all is well. `sanitized`: the program needs much memory of its own."""
     with tempfile.TemporaryDirectory(prefix="barrido-hostile-") as name:
         folder = pathlib.Path(name)
         for file, data in case.files.items():
@@ -102,6 +101,6 @@ def run_case(program: str, case: Case, limit_addresses: bool = True) -> str:
         if case.prepare:
             case.prepare(folder)
         before = all_files(folder)
-        answer = call(program, case.words, folder, limit_addresses)
-        problem = problem_of(case, answer, before, folder)
+        answer = call(program, case.words, folder, sanitized)
+        problem = problem_of(case, answer, before, folder, sanitized)
     return f"{case.name}: {problem} (status {answer.status}): {' | '.join(answer.lines[:3])[:400]}" if problem else ""

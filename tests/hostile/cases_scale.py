@@ -46,7 +46,7 @@ def counts() -> Iterator[Case]:
         model = Model() if name in ("accessors", "bufferViews", "meshes", "buffers") else triangle()
         if name == "bufferViews":
             model.document["buffers"] = [{"byteLength": 1}]
-        yield model_case(f"300,000 {name}", raw(model, **{name: repeated(item, 300_000)}))
+        yield model_case(f"60,000 {name}", raw(model, **{name: repeated(item, 60_000)}))
     lights = repeated('{"type":"point"}', 100_000)
     nodes = "[" + ",".join(f'{{"extensions":{{"KHR_lights_punctual":{{"light":{i}}}}}}}' for i in range(100_000)) + ',{"mesh":0}]'
     yield model_case("100,000 lights", raw(triangle(), extensions=f'{{"KHR_lights_punctual":{{"lights":{lights}}}}}', nodes=nodes,

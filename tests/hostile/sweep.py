@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 from collections.abc import Iterator
 
-from calls import call, line_problem
+from calls import MOST_MEMORY_KB, call, line_problem
 from models import everything
 
 # As JSON text, since Python would not write some of them.
@@ -45,21 +45,23 @@ def documents(every: int) -> Iterator[tuple[str, bytes]]:
                 yield f"{number}-" + "_".join(map(str, path)) + f"-{value}", replaced(document, path, text)
 
 
-def batch_problems(program: str, batch: list[tuple[str, bytes]], limit_addresses: bool, words: list[str]) -> list[str]:
+def batch_problems(program: str, batch: list[tuple[str, bytes]], sanitized: bool, words: list[str]) -> list[str]:
     with tempfile.TemporaryDirectory(prefix="barrido-hostile-") as name:
         folder = pathlib.Path(name)
         for file, data in batch:
             (folder / f"{file}.gltf").write_bytes(data)
         files = [f"{file}.gltf" for file, _ in batch]
-        answer = call(program, ["render", *files, "-o", "{model}.png", "--quiet", *words], folder, limit_addresses)
+        answer = call(program, ["render", *files, "-o", "{model}.png", "--quiet", *words], folder, sanitized)
         pictures = {path.stem for path in folder.glob("*.png")}
         others = [path.name for path in folder.iterdir() if path.suffix not in (".png", ".gltf")]
         texts = dict(batch)
         if answer.status not in (0, 2):
             if len(batch) == 1:
                 return [f"{batch[0][0]}: status {answer.status}: {answer.lines[:2]}: {batch[0][1][:3000]!r}"]
-            return [problem for one in batch for problem in batch_problems(program, [one], limit_addresses, words)]
+            return [problem for one in batch for problem in batch_problems(program, [one], sanitized, words)]
     problems = [f"left {name}" for name in others] + [f"{line}: {line_problem(line)}" for line in answer.lines if line_problem(line)]
+    if not sanitized and answer.memory_kb > MOST_MEMORY_KB:
+        problems.append(f"{answer.memory_kb} KB for {batch[0][0]} to {batch[-1][0]}")
     for file in texts:
         told = sum(line.startswith(f"barrido: {file}.gltf: ") for line in answer.lines)
         if told + (file in pictures) != 1:
@@ -67,12 +69,12 @@ def batch_problems(program: str, batch: list[tuple[str, bytes]], limit_addresses
     return problems
 
 
-def sweep(program: str, every: int, limit_addresses: bool) -> tuple[int, list[str]]:
+def sweep(program: str, every: int, sanitized: bool) -> tuple[int, list[str]]:
     """@return how many files were tried, and the complaints."""
     changed = list(documents(every))
     problems = []
     for begin in range(0, len(changed), A_CALL):
         # A moment within the animation; cameras of both kinds.
         words = ["--resolution", "16,16", "--time", "0.25"] + (["--camera-index", "none"] if begin // A_CALL % 2 else [])
-        problems += batch_problems(program, changed[begin:begin + A_CALL], limit_addresses, words)
+        problems += batch_problems(program, changed[begin:begin + A_CALL], sanitized, words)
     return len(changed), problems

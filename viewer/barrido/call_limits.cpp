@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
 /// Beside files and frames: the program itself, and the stacks of its threads.
-constexpr std::uint64_t kProgramBytes = 320 * kMiB;
-constexpr std::uint64_t kThreadBytes = 16 * kMiB;
+constexpr std::uint64_t kProgramBytes = 400 * kMiB;
+constexpr std::uint64_t kThreadBytes = 9 * kMiB;
 
-// A frame of the default size within some 13 s, where 0.05 s are usual.
-constexpr double kFrameSeconds = 3.5;
+// A frame of the default size within some 13 s of the processor, where 0.1 s are usual.
+constexpr double kFrameSeconds = 4.0;
 constexpr double kSecondsAPixel = 1e-5;
 constexpr double kSecondsAByte = 1e-6;
 
@@ -46,7 +46,8 @@ std::uint64_t parse_memory(std::string_view text) {
 double parse_seconds(std::string_view text) { return parse_number(text, 0.1, 1e6); }
 
 CallLimits::CallLimits(const LimitOptions& options) : options_(options) {
-  if (options_.max_seconds) start_clock(*options_.max_seconds, "the time of --max-seconds is up");
+  if (options_.max_seconds)
+    start_clock(ClockKind::wall, *options_.max_seconds, "the time of --max-seconds is up");
   limit_memory();
 }
 
@@ -73,12 +74,14 @@ std::shared_ptr<scene::Budget> CallLimits::open(const std::string& path, bool ke
   }
   const auto budget = std::make_shared<scene::Budget>(limits);
   const std::string late = path + ": takes too long to read (--max-seconds allows more)";
-  if (!options_.max_seconds) start_clock(budget->allowed_seconds() + kGraceSeconds, late);
+  if (!options_.max_seconds)
+    start_clock(ClockKind::processor, budget->allowed_seconds() + kGraceSeconds, late);
   const std::uint64_t before = keeps ? kept_bytes_ : 0;
   budget->on_growth([this, keeps, before, late](const scene::Budget& grown) {
     (keeps ? kept_bytes_ : opened_bytes_) = before + grown.earned_memory();
     limit_memory();
-    if (!options_.max_seconds) start_clock(grown.allowed_seconds() + kGraceSeconds, late);
+    if (!options_.max_seconds)
+      start_clock(ClockKind::processor, grown.allowed_seconds() + kGraceSeconds, late);
   });
   return budget;
 }
@@ -87,7 +90,7 @@ void CallLimits::draw(const std::string& label, double pixels) {
   if (options_.max_seconds) return rename_clock(label + ": not drawn within the seconds of --max-seconds");
   const double seconds = kFrameSeconds + kSecondsAPixel * pixels +
                          kSecondsAByte / 64.0 * static_cast<double>(kept_bytes_ + opened_bytes_);
-  start_clock(seconds, label + ": takes too long to draw (--max-seconds allows more)");
+  start_clock(ClockKind::processor, seconds, label + ": takes too long to draw (--max-seconds allows more)");
 }
 
 void CallLimits::rest() {

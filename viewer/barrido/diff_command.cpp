@@ -144,8 +144,9 @@ int run_diff(std::span<const std::string> words) {
   Console console(console_options);
   if (options.limits.max_memory) limit_data(*options.limits.max_memory);
   if (options.limits.max_seconds) {
-    start_clock(*options.limits.max_seconds, options.expected + ", " + options.actual +
-                                                 ": not compared within the seconds of --max-seconds");
+    start_clock(
+        ClockKind::wall, *options.limits.max_seconds,
+        options.expected + ", " + options.actual + ": not compared within the seconds of --max-seconds");
   }
   return DiffCall(options, console).run();
 }

@@ -54,7 +54,7 @@ void handle(int number, void (*handler)(int)) {
   struct sigaction action {};
   ::sigaction(number, nullptr, &action);
   // Who starts a program in the background has it ignore interruptions; that stays so.
-  if (number != SIGALRM && action.sa_handler == SIG_IGN) return;
+  if (number != SIGALRM && number != SIGPROF && action.sa_handler == SIG_IGN) return;
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
@@ -88,12 +88,12 @@ void set_line(const std::string& message) {
   last_line = &line;
 }
 
-void set_timer(double seconds) {
+void set_timer(ClockKind kind, double seconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
   timer.it_value.tv_usec =
       static_cast<suseconds_t>((seconds - static_cast<double>(timer.it_value.tv_sec)) * 1e6);
-  ::setitimer(ITIMER_REAL, &timer, nullptr);
+  ::setitimer(kind == ClockKind::wall ? ITIMER_REAL : ITIMER_PROF, &timer, nullptr);
 }
 
 }  // namespace
@@ -101,18 +101,22 @@ void set_timer(double seconds) {
 void guard_process() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) handle(number, on_end);
   handle(SIGALRM, on_alarm);
+  handle(SIGPROF, on_alarm);
   std::signal(SIGXFSZ, SIG_IGN);
   std::set_terminate(on_terminate);
 }
 
-void start_clock(double seconds, const std::string& message) {
+void start_clock(ClockKind kind, double seconds, const std::string& message) {
   set_line(message);
-  set_timer(std::max(seconds, 1e-3));
+  set_timer(kind, std::max(seconds, 1e-3));
 }
 
 void rename_clock(const std::string& message) { set_line(message); }
 
-void stop_clock() { set_timer(0.0); }
+void stop_clock() {
+  set_timer(ClockKind::wall, 0.0);
+  set_timer(ClockKind::processor, 0.0);
+}
 
 void limit_data(std::uint64_t bytes) {
   static const rlimit at_start = [] {

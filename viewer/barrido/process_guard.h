@@ -14,9 +14,14 @@ namespace barrido::cli {
 /// write.
 void guard_process();
 
+enum class ClockKind {
+  wall,       ///< As people count.
+  processor,  ///< Of all processors together: what other programs do does not count.
+};
+
 /// From now on the process ends with exit status 2 and the line "barrido: MESSAGE" unless stop_clock or
 /// another start_clock comes within `seconds`.
-void start_clock(double seconds, const std::string& message);
+void start_clock(ClockKind kind, double seconds, const std::string& message);
 /// The time goes on, but another line will be told.
 void rename_clock(const std::string& message);
 void stop_clock();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/gltf_report.h"
 #include "viewer/barrido/output_template.h"
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/settings_file.h"
@@ -33,7 +34,11 @@ void apply(RenderOptions& options, const RenderOption& option, const GivenOption
   } catch (const ValueError& error) {
     const std::string name = given.source.empty() ? std::string(option.syntax.name)
                                                   : given.source + ": " + settings_name(option.syntax);
-    throw UsageError(name + ": '" + given.value + "': " + error.what());
+    constexpr std::size_t kMost = 200;  // Values of settings files may be of any length.
+    const bool is_long = given.value.size() > kMost;
+    const std::string value = is_long ? scene::gltf::one_line(given.value, kMost) : given.value;
+    throw UsageError(name + ": '" + value +
+                     "': " + (is_long ? scene::gltf::one_line(error.what(), 2 * kMost) : error.what()));
   }
 }
 

@@ -13,8 +13,9 @@
 namespace barrido::view {
 namespace {
 
-std::unique_ptr<const scene::Scene> load(const std::string& path) {
+std::unique_ptr<const scene::Scene> load(const std::string& path, const scene::BudgetLimits& limits) {
   scene::ImportOptions options;
+  options.budget = std::make_shared<scene::Budget>(limits);
   options.image_roles = cli::kDrawnImages;
   return std::make_unique<const scene::Scene>(scene::import_gltf(path, options));
 }
@@ -38,15 +39,21 @@ class OsmesaObserver final : public scene::FrameObserver {
 
 }  // namespace
 
-Model::Model(std::string path)
-    : path_(std::move(path)), scene_(load(path_)), renderer_(*scene_), caches_(*scene_) {}
+Model::Model(std::string path, const cli::LimitOptions& limits)
+    : path_(std::move(path)),
+      limits_{limits.max_memory, limits.max_seconds},
+      scene_(load(path_, limits_)),
+      renderer_(*scene_),
+      caches_(*scene_) {}
 
 Model::~Model() = default;
 
 std::shared_ptr<const raster::Texture> Model::environment(const cli::RenderOptions& options) {
   std::shared_ptr<const raster::Texture>& slot =
       environments_[{options.environment_path, options.settings.color_management}];
-  if (!slot) slot = cli::load_environment(options);
+  if (slot) return slot;
+  scene::Budget budget(limits_);
+  slot = cli::load_environment(options, &budget);
   return slot;
 }
 

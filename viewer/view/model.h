@@ -41,8 +41,8 @@ struct OsmesaFrame {
 
 class Model {
  public:
-  /// @throws scene::InputError when the file cannot be read.
-  explicit Model(std::string path);
+  /// `limits` are those of each file that is opened. @throws scene::InputError when the file cannot be read.
+  explicit Model(std::string path, const cli::LimitOptions& limits = {});
   ~Model();
 
   const std::string& path() const { return path_; }
@@ -77,6 +77,7 @@ class Model {
   std::shared_ptr<const raster::Texture> environment(const cli::RenderOptions& options);
 
   std::string path_;
+  scene::BudgetLimits limits_;
   std::unique_ptr<const scene::Scene> scene_;
   scene::SceneRenderer renderer_;
   scene::SceneCaches caches_;  ///< For looking; the renderer has its own.

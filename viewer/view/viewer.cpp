@@ -59,7 +59,7 @@ const std::string& Viewer::path() const {
 void Viewer::load(const std::string& path) {
   changed = true;
   try {
-    auto model = std::make_unique<Model>(path);
+    auto model = std::make_unique<Model>(path, initial_.limits);
     model_ = std::move(model);
     message = model_->scene().warnings.empty() ? "" : model_->scene().warnings.front();
   } catch (const std::exception& error) {
