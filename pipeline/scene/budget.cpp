@@ -11,7 +11,7 @@ namespace barrido::scene {
 namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
-constexpr std::uint64_t kFreeBytes = 384 * kMiB;
+constexpr std::uint64_t kFreeBytes = 352 * kMiB;
 
 // A glTF node of a few letters becomes a kilobyte; what models hold in earnest (numbers, names) grows
 // tenfold.

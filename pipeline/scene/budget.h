@@ -42,7 +42,7 @@ class Budget {
   /// @throws InputError when the time is up.
   void check_time(const std::string& file, const std::string& place) const;
 
-  /// Bytes that files of this size may take: 384 MiB, or 64 for each byte of a model and 160 for each of a
+  /// Bytes that files of this size may take: 352 MiB, or 64 for each byte of a model and 160 for each of a
   /// picture where that is more.
   std::uint64_t allowed_memory() const { return limits_.max_memory.value_or(default_memory()); }
   /// Bytes that the size of the files alone would allow.

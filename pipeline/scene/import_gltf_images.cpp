@@ -1,11 +1,13 @@
 // Images: those that a material uses are read and decoded, each by whichever thread is free. Which of several
-// broken images is reported does not depend on the threads: always the first.
+// broken images is reported does not depend on the threads: always the first; but where memory is short, on
+// which came last.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <tbb/parallel_for.h>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/scene/image_io.h"
 #include "pipeline/scene/import_gltf_parts.h"
@@ -61,6 +63,22 @@ std::optional<InputError> decode(const Import& import, std::size_t index, std::u
   }
 }
 
+/// Pictures within the model's own files are packed as tightly as in files of their own. Many may share
+/// bytes, but no more count than there are.
+void add_embedded(Import& import, const std::vector<std::uint64_t>& used) {
+  const nlohmann::json& document = import.document.tree();
+  std::uint64_t embedded = 0, most = 0;
+  for (const Buffer& buffer : import.document.buffers()) most += buffer.bytes.size();
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const nlohmann::json& image = document["images"][i];
+    const auto view = image.find("bufferView");
+    if (used[i] != 0 && view != image.end() && import.document.has_bytes(view->get<int>())) {
+      embedded += import.document.view_bytes(view->get<int>()).size();
+    }
+  }
+  import.options.budget->add_file(std::min(embedded, most), Budget::Kind::picture, import.report.file());
+}
+
 }  // namespace
 
 void import_images(Import& import) {
@@ -68,6 +86,7 @@ void import_images(Import& import) {
   import.scene.images.resize(count);
   for (std::size_t i = 0; i < count; ++i) import.scene.images[i].name = element("images", i);
   const std::vector<std::uint64_t> bytes = pixel_bytes(import, count);
+  add_embedded(import, bytes);
   std::vector<std::optional<InputError>> errors(count);
   const auto decode_one = [&](std::size_t i) {
     if (bytes[i] != 0) errors[i] = decode(import, i, bytes[i], import.scene.images[i]);

@@ -1,5 +1,6 @@
 // Nodes and scenes. The hierarchy of a file may hold anything; here it must prove to be a forest: at most one
 // parent a node and no cycle. All walks use a list of their own instead of the program's stack.
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/scene/import_gltf_parts.h"
@@ -116,6 +117,14 @@ void import_scenes(Import& import) {
         import.report.fail(element("scenes", i) + ".nodes",
                            element("nodes", node) + " is not a root: it has a parent");
       }
+    }
+    // Twice named is once drawn; below each naming a whole tree would be walked.
+    std::vector<int> sorted = root.nodes;
+    std::sort(sorted.begin(), sorted.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    if (sorted.size() != root.nodes.size()) {
+      import.report.warn(element("scenes", i) + ".nodes names a node twice");
+      root.nodes = std::move(sorted);
     }
     scene.scenes.push_back(std::move(root));
   }

@@ -131,7 +131,6 @@ def others() -> Iterator[tuple[str, bytes, str]]:
         yield f"TIFF {width} x {height}", pictures.grey_tiff(width, height), "x.tif"
     yield "TIFF of 65535 samples", pictures.grey_tiff(64, 32, _277=(3, 1, 65535)), "x.tif"
     yield "TIFF of 64 bits", pictures.grey_tiff(64, 32, _258=(3, 1, 64)), "x.tif"
-    yield "TIFF with a strip beyond the end", pictures.grey_tiff(64, 32, _273=(4, 1, 2**31)), "x.tif"
     for compression in [2, 34925, 50001, 65535]:
         yield f"TIFF, compression {compression}", pictures.grey_tiff(64, 32, _259=(3, 1, compression)), "x.tif"
     yield "TIFF whose directories go round", pictures.tiff({256: (4, 1, 64)}, next_directory=8), "x.tif"
@@ -186,7 +185,8 @@ def all_cases() -> Iterator[Case]:
         yield as_texture(name, data, expect)
         yield from (case for case in as_others(name, data, file) if not case.name.startswith("diff"))
     for number, (name, data, file) in enumerate(others()):
-        if number % 3 == 0 or not file.endswith(".exr"):
+        if number % 4 == 0 or file != "x.exr":
             yield list(as_others(name, data, file, "error"))[number % 2]
+    yield from as_others("TIFF with a strip beyond the end", pictures.grey_tiff(64, 32, _273=(4, 1, 2**31)), "x.tif")
     yield from settings()
     yield from options()

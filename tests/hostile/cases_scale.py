@@ -66,6 +66,11 @@ def products() -> Iterator[Case]:
     yield model_case("20,000 primitives in 50,000 nodes", raw(triangle(), meshes=mesh, nodes=repeated('{"mesh":0}', 50_000),
                                                              scenes=json.dumps([{"nodes": list(range(50_000))}])))
 
+    model = triangle()
+    model.document["nodes"] = [{"children": list(range(1, 30_001))}] + [{}] * 30_000
+    model.document["scenes"] = [{"nodes": [0] * 200_000}]
+    yield model_case("200,000 times the same root of 30,000 nodes", model.gltf())
+
     def shared_indices(model: Model) -> None:
         many = model.accessor([0, 1, 2] * 200_000, UBYTE, "SCALAR")
         model.document["meshes"][0]["primitives"] = [{"attributes": {"POSITION": 0}, "indices": many}] * 200

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from models import triangle
 
 OLD = b"what was there before"
-ROUNDS = 12
+ROUNDS = 6
 ENDS = {"png": b"IEND\xaeB`\x82", "jpg": b"\xff\xd9"}
 FORMATS = ["png", "jpg", "exr", "hdr", "tif"]
 SIZE = "2500,2500"  # 19 MB of PNG that is not compressed

@@ -13,9 +13,9 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
 TEST(Budget, SmallFilesMayTakeSoMuch) {
   Budget budget;
-  budget.take(383 * kMiB, "a", "b");
+  budget.take(351 * kMiB, "a", "b");
   EXPECT_EQ(input_error([&] { budget.take(2 * kMiB, "model.glb", "accessors[3]"); }),
-            "model.glb: accessors[3]: needs more than the 384 MiB of memory that it may take "
+            "model.glb: accessors[3]: needs more than the 352 MiB of memory that it may take "
             "(--max-memory allows more)");
   budget.take(kMiB, "a", "b");
 }

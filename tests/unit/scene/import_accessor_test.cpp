@@ -211,7 +211,7 @@ TEST(Accessor, SmallFileCannotAskForMuchMemory) {
     const int zeros = model.add_accessor(-1, kF32, "VEC3", 30'000'000);
     model.document["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", zeros}}}});
   }
-  EXPECT_CONTAINS(import_error(model), "needs more than the 384 MiB of memory that it may take");
+  EXPECT_CONTAINS(import_error(model), "needs more than the 352 MiB of memory that it may take");
 }
 
 }  // namespace

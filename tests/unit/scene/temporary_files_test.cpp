@@ -60,7 +60,7 @@ TEST(TemporaryPath, MoreThanAreRemembered) {
   const TemporaryFolder folder;
   std::vector<std::unique_ptr<TemporaryPath>> many;
   for (int i = 0; i < 100; ++i) {
-    many.push_back(std::make_unique<TemporaryPath>(folder.write("f" + std::to_string(i), "x")));
+    many.push_back(std::make_unique<TemporaryPath>(folder.write(std::to_string(i), "x")));
   }
   many.clear();
   EXPECT_TRUE(fs::is_empty(folder.path()));
