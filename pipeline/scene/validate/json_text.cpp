@@ -80,24 +80,29 @@ std::size_t count_values(std::string_view text) {
   return count;
 }
 
-/// The names seen in every open object and array, for duplicates and the places where they are.
-class OpenValues {
+/// Looks for names that come twice in an object: told value after value, it builds nothing.
+class NameWatch : public nlohmann::json_sax<Json> {
  public:
-  explicit OpenValues(Issues& issues) : issues_(issues) {}
+  explicit NameWatch(Issues& issues) : issues_(issues) {}
 
-  void open(bool is_object) {
-    count_item();
-    levels_.push_back({is_object, {}, {}, 0});
-  }
-  void close() { levels_.pop_back(); }
-  void value() { count_item(); }
-  void name(const std::string& name) {
+  bool null() override { return count_item(); }
+  bool boolean(bool) override { return count_item(); }
+  bool number_integer(std::int64_t) override { return count_item(); }
+  bool number_unsigned(std::uint64_t) override { return count_item(); }
+  bool number_float(double, const std::string&) override { return count_item(); }
+  bool string(std::string&) override { return count_item(); }
+  bool binary(Json::binary_t&) override { return count_item(); }
+  bool start_object(std::size_t) override { return open(true); }
+  bool start_array(std::size_t) override { return open(false); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
     Level& level = levels_.back();
     level.name = name;
-    if (!level.names.insert(name).second) {
-      issues_.add(kDuplicateElements, pointer(), {in_quotes(name)});
-    }
+    if (!level.names.insert(name).second) issues_.add(kDuplicateElements, pointer(), {in_quotes(name)});
+    return true;
   }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
 
  private:
   struct Level {
@@ -107,8 +112,18 @@ class OpenValues {
     std::size_t items;
   };
 
-  void count_item() {
+  bool count_item() {
     if (!levels_.empty()) ++levels_.back().items;
+    return true;
+  }
+  bool open(bool is_object) {
+    count_item();
+    levels_.push_back({is_object, {}, {}, 0});
+    return true;
+  }
+  bool close() {
+    levels_.pop_back();
+    return true;
   }
 
   std::string pointer() const { return pointer_of(levels_.size(), Place()); }
@@ -129,28 +144,13 @@ std::string parse_problem(std::string what) {
   return in_quotes(what);
 }
 
+/// Twice over the text: the library's way to watch while it builds looks through every array again for each
+/// object in it.
 Json parse(Issues& issues, std::string_view text) {
-  OpenValues open(issues);
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    switch (event) {
-      case Json::parse_event_t::object_start:
-      case Json::parse_event_t::array_start:
-        open.open(event == Json::parse_event_t::object_start);
-        break;
-      case Json::parse_event_t::object_end:
-      case Json::parse_event_t::array_end:
-        open.close();
-        break;
-      case Json::parse_event_t::key:
-        open.name(parsed.get_ref<const std::string&>());
-        break;
-      case Json::parse_event_t::value:
-        open.value();
-        break;
-    }
-    return true;
-  };
-  return Json::parse(text.begin(), text.end(), watch);
+  Json document = Json::parse(text.begin(), text.end());
+  NameWatch watch(issues);
+  Json::sax_parse(text.begin(), text.end(), &watch);
+  return document;
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ TEST(ValidateText, NamesThatComeTwice) {
       Lines{"DUPLICATE_ELEMENTS /nodes/1/name"});
 }
 
+/// A million values: what looks at all of an array for each of its objects does not come to an end.
+TEST(ValidateText, ManyObjectsInAnArray) {
+  std::string text = R"({"asset":{"version":"2.0"},"extras":{"a":[{"b":1})";
+  for (int i = 0; i < 500'000; ++i) text += R"(,{"b":1})";
+  EXPECT_EQ(lines_of(validate_text(text + "]}}")), Lines{});
+}
+
 TEST(ValidateText, NumbersBeyondADouble) {
   const auto node = [](const char* number) {
     return validate_text(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[0,)" + std::string(number) +
