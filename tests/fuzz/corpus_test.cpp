@@ -11,6 +11,10 @@
 #include "targets.h"
 
 namespace barrido::fuzz {
+
+/// In the tests' names.
+void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+
 namespace {
 
 std::vector<std::filesystem::path> inputs_of(const Target& target) {
