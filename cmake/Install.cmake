@@ -39,7 +39,7 @@ endfunction()
 barrido_install_headers(raster fragment_batch.h fragment_state.h framebuffer.h memory.h portable_math.h primitive.h
                         rasterizer.h simd_target.h stage_profile.h texture.h)
 barrido_install_headers(pipeline geometry.h matrix.h renderer.h state.h)
-barrido_install_headers(pipeline/scene animate.h environment.h error.h image_io.h import_gltf.h render_scene.h
+barrido_install_headers(pipeline/scene animate.h budget.h environment.h error.h image_io.h import_gltf.h render_scene.h
                         scene.h)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -2,6 +2,7 @@
 // must lie in memory to its last element, be finite, and have no index above the largest it reports.
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -137,7 +138,9 @@ void run_accessor(Bytes bytes) {
       file.write("model.gltf", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   expect_input_error([&] {
     gltf::Report report(path.string());
-    const gltf::Document document(report, path, small_limits());
+    auto options = small_limits();
+    options.budget = std::make_shared<scene::Budget>();
+    const gltf::Document document(report, path, options);
     read_in_every_way(report, document);
   });
 }
