@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "pipeline/scene/descriptor.h"
+
 namespace barrido::scene::gltf {
 namespace {
 
@@ -89,21 +91,6 @@ bool starts_with_parent(const fs::path& normal) { return !normal.empty() && *nor
 bool is_below(const fs::path& folder, const fs::path& file) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (is_open()) ::close(descriptor_);
-  }
-  bool is_open() const { return descriptor_ >= 0; }
-  int get() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
 
 std::string open_problem(int error_number) {
   if (error_number == ENOENT || error_number == ENOTDIR) return "no such file";

@@ -6,20 +6,10 @@
 #include <algorithm>
 #include <string>
 
+#include "pipeline/scene/glb_format.h"
+
 namespace barrido::scene::gltf {
 namespace {
-
-constexpr std::uint32_t kMagic = 0x46546c67;        // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN\0"
-constexpr std::size_t kHeaderBytes = 12;
-constexpr std::size_t kChunkHeaderBytes = 8;
-
-std::uint32_t read_u32(std::span<const std::uint8_t> bytes, std::size_t offset) {
-  return static_cast<std::uint32_t>(bytes[offset]) | static_cast<std::uint32_t>(bytes[offset + 1]) << 8 |
-         static_cast<std::uint32_t>(bytes[offset + 2]) << 16 |
-         static_cast<std::uint32_t>(bytes[offset + 3]) << 24;
-}
 
 std::string_view as_text(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -27,14 +17,15 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
 
 /// Returns the length that the header gives.
 std::size_t check_header(Report& report, std::span<const std::uint8_t> file) {
-  if (file.size() < kHeaderBytes + kChunkHeaderBytes) report.fail("GLB header", "the file is cut off");
-  const std::uint32_t version = read_u32(file, 4);
+  if (file.size() < glb::kHeaderBytes + glb::kChunkHeaderBytes)
+    report.fail("GLB header", "the file is cut off");
+  const std::uint32_t version = glb::read_u32(file, 4);
   if (version != 2) {
     report.fail("GLB header",
                 "container version " + std::to_string(version) + " is not supported; only 2 is");
   }
-  const std::uint32_t length = read_u32(file, 8);
-  if (length > file.size() || length < kHeaderBytes) {
+  const std::uint32_t length = glb::read_u32(file, 8);
+  if (length > file.size() || length < glb::kHeaderBytes) {
     report.fail("GLB header", "gives a length of " + std::to_string(length) + " bytes, but the file has " +
                                   std::to_string(file.size()));
   }
@@ -48,20 +39,20 @@ std::size_t check_header(Report& report, std::span<const std::uint8_t> file) {
 Container split_glb(Report& report, std::span<const std::uint8_t> file) {
   file = file.first(check_header(report, file));
   Container container;
-  std::size_t offset = kHeaderBytes;
+  std::size_t offset = glb::kHeaderBytes;
   for (std::size_t chunk = 0; offset < file.size(); ++chunk) {
     const std::string place = "GLB chunk " + std::to_string(chunk);
-    if (file.size() - offset < kChunkHeaderBytes) report.fail(place, "its header is cut off");
-    const std::uint32_t length = read_u32(file, offset);
-    const std::uint32_t type = read_u32(file, offset + 4);
-    offset += kChunkHeaderBytes;
+    if (file.size() - offset < glb::kChunkHeaderBytes) report.fail(place, "its header is cut off");
+    const std::uint32_t length = glb::read_u32(file, offset);
+    const std::uint32_t type = glb::read_u32(file, offset + 4);
+    offset += glb::kChunkHeaderBytes;
     if (length > file.size() - offset) report.fail(place, "reaches past the end of the file");
     if (length % 4 != 0) report.fail(place, "its length is not a multiple of 4");
-    if ((chunk == 0) != (type == kJsonChunk)) {
+    if ((chunk == 0) != (type == glb::kJsonChunk)) {
       report.fail(place, chunk == 0 ? "is not JSON, as the first must be" : "is a second JSON chunk");
     }
-    if (type == kJsonChunk) container.json = as_text(file.subspan(offset, length));
-    if (type == kBinaryChunk) {
+    if (type == glb::kJsonChunk) container.json = as_text(file.subspan(offset, length));
+    if (type == glb::kBinaryChunk) {
       if (chunk != 1) report.fail(place, "a binary chunk must be the second");
       container.binary_chunk = file.subspan(offset, length);
     }
@@ -75,7 +66,7 @@ Container split_glb(Report& report, std::span<const std::uint8_t> file) {
 
 Container split_container(Report& report, std::span<const std::uint8_t> file) {
   if (file.empty()) report.fail("", "the file is empty");
-  if (file.size() >= 4 && read_u32(file, 0) == kMagic) return split_glb(report, file);
+  if (file.size() >= 4 && glb::read_u32(file, 0) == glb::kMagic) return split_glb(report, file);
   const std::string_view text = as_text(file);
   const std::size_t first =
       text.find_first_not_of(" \t\r\n\xef\xbb\xbf");  // A byte order mark may be ignored.

@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
-#include <utility>
 
+#include "pipeline/scene/descriptor.h"
 #include "pipeline/scene/error.h"
 #include "pipeline/scene/temporary_files.h"
 
@@ -21,24 +21,6 @@ namespace fs = std::filesystem;
 InputError cannot_write(const fs::path& path, int error_number) {
   return {path.string(), "", "cannot be written: " + std::generic_category().message(error_number)};
 }
-
-/// An open file descriptor, closed by its destructor unless closed before.
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  bool is_open() const { return descriptor_ >= 0; }
-  int get() const { return descriptor_; }
-  /// Errors of a full disk may be told only now.
-  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
-
- private:
-  int descriptor_;
-};
 
 /// A new empty file in `folder`; hidden, so that a pattern such as *.png does not find it.
 fs::path create_temporary(const fs::path& folder, const fs::path& target) {
