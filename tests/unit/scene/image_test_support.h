@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "pipeline/scene/image_io.h"
+#include "temporary_folder.h"
 
 namespace barrido::scene::test {
 
@@ -41,26 +42,6 @@ inline Bytes noise_rgba(int width, int height, bool opaque, std::uint64_t seed) 
   for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = opaque && i % 4 == 3 ? 255 : noise.byte();
   return rgba;
 }
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "barrido-test-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
-    path_ = pattern;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline Bytes bytes_of_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

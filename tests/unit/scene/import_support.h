@@ -14,41 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/scene/import_gltf.h"
+#include "temporary_folder.h"
 
 namespace barrido::scene::test {
 
 using nlohmann::json;
-
-/// Removed with all it holds when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "barrido-import-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
-  std::filesystem::path write(const std::string& name, const void* data, std::size_t size) const {
-    const std::filesystem::path path = path_ / name;
-    std::ofstream file(path, std::ios::binary);
-    file.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
-    return path;
-  }
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    return write(name, text.data(), text.size());
-  }
-  std::filesystem::path write(const std::string& name, const std::vector<std::uint8_t>& bytes) const {
-    return write(name, bytes.data(), bytes.size());
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 enum ComponentType { kI8 = 5120, kU8 = 5121, kI16 = 5122, kU16 = 5123, kU32 = 5125, kF32 = 5126 };
 
