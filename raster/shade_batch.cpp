@@ -29,8 +29,11 @@ void shade_batch(TileWorkspace& workspace) {
     if (needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
       find_levels_of_detail(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch);
     }
-    workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.texel);
-    combine_texture(batch, unit, workspace.texel, workspace.primary);
+    const bool replaces =
+        state.texture_units[static_cast<std::size_t>(unit)].env_mode == TextureEnvMode::replace;
+    workspace.statistics.texel_fetches +=
+        sample_texture(batch, unit, replaces ? batch.color : workspace.texel);
+    if (!replaces) combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
   workspace.clock.switch_to(Stage::write);
   write_fragments(batch, workspace.surface);

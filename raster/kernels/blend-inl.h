@@ -69,9 +69,13 @@ HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, cons
   return channel == 3 ? one() : barrido::HWY_NAMESPACE::minimum(s.c[3], hn::Sub(one(), t.c[3]));
 }
 
+// Each way of blending knows whether it `keeps_unit`: colours in [0, 1] then give colours in [0, 1 + 2^-19],
+// which round to the same 8 bits as if they had been clamped.
+
 /// No blending: the source replaces what is there.
 struct Replace {
   static constexpr bool kReads = false;
+  static constexpr bool keeps_unit = true;
   explicit Replace(const BlendState&) {}
   HWY_INLINE Rgba operator()(const Rgba& source, const Rgba&) const { return source; }
 };
@@ -80,6 +84,7 @@ struct Replace {
 struct BlendConstant {
   static constexpr bool kReads = true;
   Rgba source, destination;
+  bool keeps_unit = true;
 
   static bool fits(const BlendState& blend) {
     const auto constant = [](BlendFactor f) {
@@ -95,6 +100,9 @@ struct BlendConstant {
     for (int c = 0; c < 4; ++c) {
       source.c[c] = blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, none, none, blend, c);
       destination.c[c] = blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, none, none, blend, c);
+      const float s = hn::GetLane(source.c[c]);
+      const float t = hn::GetLane(destination.c[c]);
+      keeps_unit = keeps_unit && s >= 0.0f && t >= 0.0f && s + t <= 1.0f + 0x1p-20f;
     }
   }
   HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
@@ -108,6 +116,7 @@ struct BlendConstant {
 /// The usual transparency: source alpha, one minus source alpha.
 struct BlendSourceAlpha {
   static constexpr bool kReads = true;
+  static constexpr bool keeps_unit = true;
 
   static bool fits(const BlendState& blend) {
     return blend.equation == BlendEquation::add && blend.src_rgb == BlendFactor::src_alpha &&
@@ -126,6 +135,7 @@ struct BlendSourceAlpha {
 /// Any factors and equation.
 struct BlendGeneral {
   static constexpr bool kReads = true;
+  static constexpr bool keeps_unit = false;
   const BlendState& blend;
 
   explicit BlendGeneral(const BlendState& b) : blend(b) {}
@@ -142,27 +152,34 @@ struct BlendGeneral {
   }
 };
 
-/// Rounded to 8 bits a channel. Adding 2^23 leaves the nearest integer, ties to even, in the low bits of the
-/// sum.
-HWY_INLINE auto pack8(const Rgba& color) {
+/// Colours in [0, 1 + 2^-19], rounded to 8 bits a channel. Adding 2^23 leaves the nearest integer, ties to
+/// even, in the low bits of the sum.
+HWY_INLINE auto pack8_unit(const Rgba& color) {
   const hn::RebindToSigned<F> di;
   const auto byte = [&](int c) HWY_ATTR {
-    const V scaled = hn::Mul(clamp01(color.c[c]), hn::Set(F(), 255.0f));
+    const V scaled = hn::Mul(color.c[c], hn::Set(F(), 255.0f));
     return hn::BitCast(di, hn::Add(scaled, hn::Set(F(), 8388608.0f)));
   };
   return hn::Or(hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::ShiftLeft<8>(byte(1))),
                 hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
 }
 
+/// Any colours.
+HWY_INLINE auto pack8(const Rgba& color) {
+  return pack8_unit({{clamp01(color.c[0]), clamp01(color.c[1]), clamp01(color.c[2]), clamp01(color.c[3])}});
+}
+
 template <class VI>
 HWY_INLINE Rgba unpack8(VI packed) {
   const F d;
   const hn::RebindToSigned<F> di;
-  const auto channel = [&](auto shifted) HWY_ATTR {
-    return hn::Mul(hn::ConvertTo(d, hn::And(shifted, hn::Set(di, 255))), hn::Set(d, 1.0f / 255.0f));
-  };
-  return {{channel(packed), channel(hn::ShiftRight<8>(packed)), channel(hn::ShiftRight<16>(packed)),
-           channel(hn::ShiftRight<24>(packed))}};
+  const hn::RebindToUnsigned<decltype(di)> du;
+  const auto channel = [&](auto byte)
+                           HWY_ATTR { return hn::Mul(hn::ConvertTo(d, byte), hn::Set(d, 1.0f / 255.0f)); };
+  const auto low = [&](auto shifted) HWY_ATTR { return hn::And(shifted, hn::Set(di, 255)); };
+  const auto highest = hn::BitCast(di, hn::ShiftRight<24>(hn::BitCast(du, packed)));
+  return {{channel(low(packed)), channel(low(hn::ShiftRight<8>(packed))),
+           channel(low(hn::ShiftRight<16>(packed))), channel(highest)}};
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -77,9 +77,6 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
       case TextureEnvMode::modulate:
         out.c[c] = hn::Mul(p.c[c], t.c[c]);
         break;
-      case TextureEnvMode::replace:
-        out.c[c] = t.c[c];
-        break;
       case TextureEnvMode::add:
         out.c[c] = hn::Add(p.c[c], t.c[c]);
         break;
@@ -91,15 +88,12 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
         break;
       }
+      case TextureEnvMode::replace:  // needs no combining: its texels are sampled straight into the colours
       case TextureEnvMode::combine:
         break;
     }
   }
-  if (unit.env_mode == TextureEnvMode::replace) {
-    out.c[3] = t.c[3];
-  } else if (unit.env_mode != TextureEnvMode::decal) {
-    out.c[3] = hn::Mul(p.c[3], t.c[3]);
-  }
+  if (unit.env_mode != TextureEnvMode::decal) out.c[3] = hn::Mul(p.c[3], t.c[3]);
   return out;
 }
 
@@ -107,7 +101,8 @@ void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[
                     const float (*primary)[kBatchStride]) {
   const F d;
   const TextureUnit& unit = batch.state->texture_units[static_cast<std::size_t>(unit_number)];
-  const bool clamp = batch.state->clamp_colors;
+  // A product of numbers in [0, 1] needs no clamping.
+  const bool clamp = batch.state->clamp_colors && unit.env_mode != TextureEnvMode::modulate;
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const Rgba previous = load(batch.color, i);
     const Rgba texture = load(texel, i);
@@ -142,15 +137,12 @@ void take_colors(const float (*from)[kBatchStride], float (*to)[kBatchStride], i
 void StartColors(FragmentBatch& batch) {
   const FragmentState& state = *batch.state;
   const bool made = state.illumination.function != nullptr;
-  const auto source = [&](int varying, float(*own)[kBatchStride]) {
-    return made || varying == kAbsent ? own : batch.varying + varying;
+  const auto take = [&](int varying, float(*to)[kBatchStride], int channels) {
+    if (!made && varying == kAbsent) return;  // flat colours stand there already, clamped
+    take_colors(made ? to : batch.varying + varying, to, channels, batch.count, state.clamp_colors);
   };
-  if (!color_is_replaced(state)) {
-    take_colors(source(state.varyings.color, batch.color), batch.color, 4, batch.count, state.clamp_colors);
-  }
-  if (!state.separate_specular) return;
-  take_colors(source(state.varyings.specular, batch.specular), batch.specular, 3, batch.count,
-              state.clamp_colors);
+  if (!color_is_replaced(state)) take(state.varyings.color, batch.color, 4);
+  if (state.separate_specular) take(state.varyings.specular, batch.specular, 3);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

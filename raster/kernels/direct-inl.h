@@ -89,7 +89,8 @@ class SmoothPixels {
       for (V& c : color.c) c = clamp01(c);
       color = blend_(color, unpack8(hn::LoadU(di, row + x)));
     }
-    hn::BlendedStore(pack8(color), hn::RebindMask(di, mask), di, row + x);
+    const auto packed = Blend::kReads && blend_.keeps_unit ? pack8_unit(color) : pack8(color);
+    hn::BlendedStore(packed, hn::RebindMask(di, mask), di, row + x);
   }
 
  private:

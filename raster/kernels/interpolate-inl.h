@@ -111,11 +111,15 @@ HWY_INLINE void append_lod_groups(const InterpolatedSpan& span, const FragmentSt
   }
 }
 
-/// One value for each of `channels` arrays, for `count` fragments from `at` on.
-HWY_INLINE void fill(const float* values, int channels, int count, float (*out)[kBatchStride], int at) {
+/// One value for each of `channels` arrays, clamped to [0, 1] if asked, for `count` fragments from `at` on.
+HWY_INLINE void fill(const float* values, int channels, bool clamp, int count, float (*out)[kBatchStride],
+                     int at) {
   const hn::ScalableTag<float> d;
   for (int c = 0; c < channels; ++c) {
-    const auto v = hn::Set(d, values[c]);
+    const auto value = hn::Set(d, values[c]);
+    const auto v = clamp ? barrido::HWY_NAMESPACE::minimum(
+                               barrido::HWY_NAMESPACE::maximum(value, hn::Zero(d)), hn::Set(d, 1.0f))
+                         : value;
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(v, d, out[c] + at + i);
   }
 }
@@ -123,9 +127,11 @@ HWY_INLINE void fill(const float* values, int channels, int count, float (*out)[
 /// The colours that no varying carries are the same for every fragment of the primitive.
 HWY_INLINE void fill_flat(const FlatColors& flat, const FragmentState& state, bool color_is_replaced,
                           int count, FragmentBatch& batch, int at) {
-  if (state.varyings.color == kAbsent && !color_is_replaced) fill(flat.color, 4, count, batch.color, at);
+  const bool clamp = state.clamp_colors;
+  if (state.varyings.color == kAbsent && !color_is_replaced)
+    fill(flat.color, 4, clamp, count, batch.color, at);
   if (state.varyings.specular == kAbsent && state.separate_specular) {
-    fill(flat.specular, 3, count, batch.specular, at);
+    fill(flat.specular, 3, clamp, count, batch.specular, at);
   }
 }
 

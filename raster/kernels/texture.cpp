@@ -25,15 +25,11 @@ class TextureSampler {
 
   std::uint64_t sample(float (*texel)[kBatchStride]) {
     find_footprints();
-    const int count = batch_.count;
-    const auto filter = texture_.format() == TexelFormat::rgba8 ? filter_rgba8 : filter_rgba16;
-    filter(texture_.data(), lower_, count, any_linear_, lower_texels_);
-    if (any_blend_) {
-      filter(texture_.data(), upper_, count, any_linear_, upper_texels_);
-      blend_levels(lower_texels_, upper_texels_, level_weight_, count);
+    if (texture_.format() == TexelFormat::rgba8) {
+      filter<Texels8>(texel);
+    } else {
+      filter<Texels16>(texel);
     }
-    const float scale = texture_.format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
-    store_texels(lower_texels_, count, scale, texel);
     return texels_;
   }
 
@@ -74,6 +70,22 @@ class TextureSampler {
     texels_ = static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(di, texels)));
   }
 
+  /// Fetches the texels of one or two levels and filters them.
+  template <class Texels>
+  void filter(float (*texel)[kBatchStride]) const {
+    Texels lower, upper;
+    lower.fetch(texture_.data(), lower_, batch_.count, any_linear_);
+    if (any_blend_) upper.fetch(texture_.data(), upper_, batch_.count, any_linear_);
+    for (int i = 0; i < batch_.count; i += static_cast<int>(hn::Lanes(F()))) {
+      Filtered f = any_linear_ ? lower.linear(lower_, i) : lower.nearest(i);
+      if (any_blend_) {
+        const Filtered above = any_linear_ ? upper.linear(upper_, i) : upper.nearest(i);
+        f = mix(f, above, load_weights(level_weight_, i));
+      }
+      store_texels(f, Texels::kScale, texel, i);
+    }
+  }
+
   /// One or four texels a level, one or two levels, for the fragments among the next `fragments`.
   HWY_INLINE VI count_texels(const Levels& levels, int fragments) const {
     const I di;
@@ -93,7 +105,6 @@ class TextureSampler {
   bool any_blend_ = false;
   Footprint lower_, upper_;
   alignas(64) std::int32_t level_weight_[kBatchStride];
-  Filtered lower_texels_, upper_texels_;
 };
 
 std::uint64_t SampleTexture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]) {

@@ -178,6 +178,7 @@ struct Footprint {
   alignas(64) std::int32_t pitch[kBatchStride];    ///< To the texel above.
   alignas(64) std::int32_t weight_x[kBatchStride];
   alignas(64) std::int32_t weight_y[kBatchStride];
+  bool has_one_pitch = true;  ///< The same for all, the usual case.
 };
 
 /// Nearest texel along one axis.
@@ -231,6 +232,7 @@ HWY_INLINE void address(const Coordinates& c, VI level, hn::Mask<I> linear, cons
   const auto fraction = hn::Set(di, 255);
   hn::Store(hn::Add(origin, hn::Add(column, hn::Mul(row, pitch))), di, out.address + i);
   hn::Store(pitch, di, out.pitch + i);
+  out.has_one_pitch = out.has_one_pitch && lookup.uniform && table.pitch[lookup.first] == out.pitch[0];
   hn::Store(hn::And(x, fraction), di, out.weight_x + i);
   hn::Store(hn::And(y, fraction), di, out.weight_y + i);
 }

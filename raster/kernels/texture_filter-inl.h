@@ -17,12 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Filtered texels in 16 bits a channel: two vectors of 32-bit lanes hold (red, blue) and (green, alpha).
-struct Filtered {
-  alignas(64) std::uint32_t red_blue[kBatchStride];
-  alignas(64) std::uint32_t green_alpha[kBatchStride];
-};
-
 using U16 = hn::ScalableTag<std::uint16_t>;
 using U32 = hn::ScalableTag<std::uint32_t>;
 
@@ -37,111 +31,148 @@ HWY_INLINE hn::Vec<U16> mix(hn::Vec<U16> a, hn::Vec<U16> b, hn::Vec<U16> weight)
   return hn::Add(hn::Sub(a, hn::MulHigh(a, w)), hn::MulHigh(b, w));
 }
 
-/// Texels of rgba8 textures: each pair of horizontal neighbours is one 64-bit load.
-void filter_rgba8(const std::uint8_t* texels, const Footprint& f, int count, bool linear, Filtered& out) {
-  alignas(64) std::uint32_t lower[2 * kBatchStride];
-  alignas(64) std::uint32_t upper[2 * kBatchStride];
-  const U32 du;
-  const U16 d16;
-  const int lanes = static_cast<int>(hn::Lanes(du));
-  const auto mask = hn::Set(du, 0x00ff00ffu);
-  if (!linear) {
-    for (int i = 0; i < count; ++i)
-      std::memcpy(&lower[i], texels + 4 * static_cast<std::ptrdiff_t>(f.address[i]), 4);
-    for (int i = 0; i < count; i += lanes) {
-      const auto t = hn::Load(du, lower + i);
-      hn::Store(hn::ShiftLeft<8>(hn::And(t, mask)), du, out.red_blue + i);
-      hn::Store(hn::AndNot(mask, t), du, out.green_alpha + i);
+/// Filtered texels of a vector of fragments, 16 bits a channel: 32-bit lanes hold (red, blue) and (green,
+/// alpha).
+struct Filtered {
+  hn::Vec<U16> red_blue, green_alpha;
+};
+
+HWY_INLINE Filtered mix(const Filtered& a, const Filtered& b, hn::Vec<U16> weight) {
+  return {mix(a.red_blue, b.red_blue, weight), mix(a.green_alpha, b.green_alpha, weight)};
+}
+
+/// Weights from an array of 32-bit numbers.
+HWY_INLINE hn::Vec<U16> load_weights(const std::int32_t* weights, int i) {
+  return in_both_halves(hn::Load(U32(), reinterpret_cast<const std::uint32_t*>(weights) + i));
+}
+
+/// Calls fetch(i, below, above) for the fragments of a batch: the distances in bytes of the texel and of the
+/// one above it, for texels of kBytes. Goes on to a multiple of four, which the footprint has room and
+/// addresses for.
+template <int kBytes, class Fetch>
+HWY_INLINE void for_each_texel(const Footprint& f, int count, Fetch&& fetch) {
+  const auto four = [&](int i, auto pitch_of) HWY_ATTR {
+    for (int j = i; j < i + 4; ++j) {
+      const std::ptrdiff_t below = kBytes * static_cast<std::ptrdiff_t>(f.address[j]);
+      fetch(j, below, below + kBytes * pitch_of(j));
     }
-    return;
-  }
-  for (int i = 0; i < count; ++i) {
-    const std::uint8_t* pair = texels + 4 * static_cast<std::ptrdiff_t>(f.address[i]);
-    std::memcpy(&lower[2 * i], pair, 8);
-    std::memcpy(&upper[2 * i], pair + 4 * static_cast<std::ptrdiff_t>(f.pitch[i]), 8);
-  }
-  for (int i = 0; i < count; i += lanes) {
-    const auto wx = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_x) + i));
-    const auto wy = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_y) + i));
-    const auto wx0 = hn::Sub(hn::Set(d16, std::uint16_t{256}), wx);
-    const auto across = [&](const std::uint32_t* pairs, auto select) HWY_ATTR {
-      const auto a = hn::Load(du, pairs + 2 * i);
-      const auto b = hn::Load(du, pairs + 2 * i + lanes);
-      const auto left = as_u16(select(hn::ConcatEven(du, b, a)));
-      const auto right = as_u16(select(hn::ConcatOdd(du, b, a)));
-      return hn::Add(hn::Mul(left, wx0), hn::Mul(right, wx));
-    };
-    const auto red_blue = [&](hn::Vec<U32> t) HWY_ATTR { return hn::And(t, mask); };
-    const auto green_alpha = [&](hn::Vec<U32> t) HWY_ATTR { return hn::And(hn::ShiftRight<8>(t), mask); };
-    hn::Store(as_u32(mix(across(lower, red_blue), across(upper, red_blue), wy)), du, out.red_blue + i);
-    hn::Store(as_u32(mix(across(lower, green_alpha), across(upper, green_alpha), wy)), du,
-              out.green_alpha + i);
+  };
+  if (f.has_one_pitch) {
+    const std::ptrdiff_t pitch = f.pitch[0];
+    for (int i = 0; i < count; i += 4) four(i, [pitch](int) { return pitch; });
+  } else {
+    for (int i = 0; i < count; i += 4)
+      four(i, [&f](int j) { return static_cast<std::ptrdiff_t>(f.pitch[j]); });
   }
 }
 
-/// Texels of rgba16 textures: 64 bits each; (red, green) and (blue, alpha) are re-sorted like those of rgba8.
-void filter_rgba16(const std::uint8_t* texels, const Footprint& f, int count, bool linear, Filtered& out) {
-  alignas(64) std::uint32_t corner[4][2 * kBatchStride];  // lower left, lower right, upper left, upper right
-  const U32 du;
-  const int lanes = static_cast<int>(hn::Lanes(du));
-  for (int i = 0; i < count; ++i) {
-    const std::uint8_t* texel = texels + 8 * static_cast<std::ptrdiff_t>(f.address[i]);
-    std::memcpy(&corner[0][2 * i], texel, 8);
-    if (!linear) continue;
-    const std::uint8_t* above = texel + 8 * static_cast<std::ptrdiff_t>(f.pitch[i]);
-    std::memcpy(&corner[1][2 * i], texel + 8, 8);
-    std::memcpy(&corner[2][2 * i], above, 8);
-    std::memcpy(&corner[3][2 * i], above + 8, 8);
-  }
-  const auto low_half = hn::Set(du, 0x0000ffffu);
-  for (int i = 0; i < count; i += lanes) {
-    const auto words = [&](int c, bool second) HWY_ATTR {
-      const auto a = hn::Load(du, corner[c] + 2 * i);
-      const auto b = hn::Load(du, corner[c] + 2 * i + lanes);
-      return second ? hn::ConcatOdd(du, b, a) : hn::ConcatEven(du, b, a);
-    };
-    const auto filtered = [&](bool second) HWY_ATTR {
-      if (!linear) return as_u16(words(0, second));
-      const auto wx = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_x) + i));
-      const auto wy = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(f.weight_y) + i));
-      return mix(mix(as_u16(words(0, second)), as_u16(words(1, second)), wx),
-                 mix(as_u16(words(2, second)), as_u16(words(3, second)), wx), wy);
-    };
-    const auto red_green = as_u32(filtered(false));
-    const auto blue_alpha = as_u32(filtered(true));
-    hn::Store(hn::Or(hn::And(red_green, low_half), hn::ShiftLeft<16>(blue_alpha)), du, out.red_blue + i);
-    hn::Store(hn::Or(hn::ShiftRight<16>(red_green), hn::AndNot(low_half, blue_alpha)), du,
-              out.green_alpha + i);
-  }
-}
+/// Texels of an rgba8 texture for a batch: each pair of horizontal neighbours is one 64-bit load.
+class Texels8 {
+ public:
+  static constexpr float kScale = 1.0f / 65280.0f;  ///< From filtered texels to [0, 1].
 
-/// 16-bit channels to floats in [0, 1].
-void store_texels(const Filtered& f, int count, float scale, float (*texel)[kBatchStride]) {
+  void fetch(const std::uint8_t* texels, const Footprint& f, int count, bool linear) {
+    if (!linear) {
+      for_each_texel<4>(f, count, [&](int i, std::ptrdiff_t texel, std::ptrdiff_t) HWY_ATTR {
+        std::memcpy(&lower_[i], texels + texel, 4);
+      });
+      return;
+    }
+    for_each_texel<4>(f, count, [&](int i, std::ptrdiff_t below, std::ptrdiff_t above) HWY_ATTR {
+      std::memcpy(&lower_[2 * i], texels + below, 8);
+      std::memcpy(&upper_[2 * i], texels + above, 8);
+    });
+  }
+
+  HWY_INLINE Filtered nearest(int i) const {
+    const U32 du;
+    const auto t = hn::Load(du, lower_ + i);
+    const auto mask = hn::Set(du, 0x00ff00ffu);
+    return {as_u16(hn::ShiftLeft<8>(hn::And(t, mask))), as_u16(hn::AndNot(mask, t))};
+  }
+
+  HWY_INLINE Filtered linear(const Footprint& f, int i) const {
+    const auto wx = load_weights(f.weight_x, i);
+    return mix(across(lower_ + 2 * i, wx), across(upper_ + 2 * i, wx), load_weights(f.weight_y, i));
+  }
+
+ private:
+  /// Between the left and the right texels of the pairs.
+  static HWY_INLINE Filtered across(const std::uint32_t* pairs, hn::Vec<U16> wx) {
+    const U32 du;
+    const auto a = hn::Load(du, pairs);
+    const auto b = hn::Load(du, pairs + hn::Lanes(du));
+    const auto left = hn::ConcatEven(du, b, a);
+    const auto right = hn::ConcatOdd(du, b, a);
+    const auto wx0 = hn::Sub(hn::Set(U16(), std::uint16_t{256}), wx);
+    const auto mask = hn::Set(du, 0x00ff00ffu);
+    const auto blend = [&](hn::Vec<U32> l, hn::Vec<U32> r) HWY_ATTR {
+      return hn::Add(hn::Mul(as_u16(hn::And(l, mask)), wx0), hn::Mul(as_u16(hn::And(r, mask)), wx));
+    };
+    return {blend(left, right), blend(hn::ShiftRight<8>(left), hn::ShiftRight<8>(right))};
+  }
+
+  alignas(64) std::uint32_t lower_[2 * kBatchStride];
+  alignas(64) std::uint32_t upper_[2 * kBatchStride];
+};
+
+/// Texels of an rgba16 texture for a batch: 64 bits each.
+class Texels16 {
+ public:
+  static constexpr float kScale = 1.0f / 65535.0f;
+
+  void fetch(const std::uint8_t* texels, const Footprint& f, int count, bool linear) {
+    for_each_texel<8>(f, count, [&](int i, std::ptrdiff_t below, std::ptrdiff_t above) HWY_ATTR {
+      std::memcpy(&corner_[0][2 * i], texels + below, 8);
+      if (!linear) return;
+      std::memcpy(&corner_[1][2 * i], texels + below + 8, 8);
+      std::memcpy(&corner_[2][2 * i], texels + above, 8);
+      std::memcpy(&corner_[3][2 * i], texels + above + 8, 8);
+    });
+  }
+
+  HWY_INLINE Filtered nearest(int i) const { return sorted(words(0, i)); }
+
+  HWY_INLINE Filtered linear(const Footprint& f, int i) const {
+    const auto wx = load_weights(f.weight_x, i);
+    return sorted(mix(mix(words(0, i), words(1, i), wx), mix(words(2, i), words(3, i), wx),
+                      load_weights(f.weight_y, i)));
+  }
+
+ private:
+  /// As they stand in memory: (red, green) in the first, (blue, alpha) in the second.
+  HWY_INLINE Filtered words(int corner, int i) const {
+    const U32 du;
+    const auto a = hn::Load(du, corner_[corner] + 2 * i);
+    const auto b = hn::Load(du, corner_[corner] + 2 * i + hn::Lanes(du));
+    return {as_u16(hn::ConcatEven(du, b, a)), as_u16(hn::ConcatOdd(du, b, a))};
+  }
+  static HWY_INLINE Filtered sorted(const Filtered& f) {
+    const auto red_green = as_u32(f.red_blue);
+    const auto blue_alpha = as_u32(f.green_alpha);
+    const auto low_half = hn::Set(U32(), 0x0000ffffu);
+    return {as_u16(hn::Or(hn::And(red_green, low_half), hn::ShiftLeft<16>(blue_alpha))),
+            as_u16(hn::Or(hn::ShiftRight<16>(red_green), hn::AndNot(low_half, blue_alpha)))};
+  }
+
+  alignas(
+      64) std::uint32_t corner_[4][2 * kBatchStride];  ///< Lower left, lower right, upper left, upper right.
+};
+
+/// 16-bit channels to floats: red, green, blue, alpha.
+HWY_INLINE void store_texels(const Filtered& f, float scale, float (*texel)[kBatchStride], int i) {
   const F d;
   const I di;
   const auto s = hn::Set(d, scale);
-  const auto low = hn::Set(di, 0xffff);
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto rb = hn::Load(di, reinterpret_cast<const std::int32_t*>(f.red_blue) + i);
-    const auto ga = hn::Load(di, reinterpret_cast<const std::int32_t*>(f.green_alpha) + i);
-    const auto high = [&](VI v) HWY_ATTR { return hn::And(hn::ShiftRight<16>(v), low); };
-    hn::Store(hn::Mul(hn::ConvertTo(d, hn::And(rb, low)), s), d, texel[0] + i);
-    hn::Store(hn::Mul(hn::ConvertTo(d, hn::And(ga, low)), s), d, texel[1] + i);
-    hn::Store(hn::Mul(hn::ConvertTo(d, high(rb)), s), d, texel[2] + i);
-    hn::Store(hn::Mul(hn::ConvertTo(d, high(ga)), s), d, texel[3] + i);
-  }
-}
-
-void blend_levels(Filtered& lower, const Filtered& upper, const std::int32_t* weight, int count) {
-  const U32 du;
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(du))) {
-    const auto w = in_both_halves(hn::Load(du, reinterpret_cast<const std::uint32_t*>(weight) + i));
-    const auto blend = [&](std::uint32_t* a, const std::uint32_t* b) HWY_ATTR {
-      hn::Store(as_u32(mix(as_u16(hn::Load(du, a + i)), as_u16(hn::Load(du, b + i)), w)), du, a + i);
-    };
-    blend(lower.red_blue, upper.red_blue);
-    blend(lower.green_alpha, upper.green_alpha);
-  }
+  const auto rb = as_u32(f.red_blue);
+  const auto ga = as_u32(f.green_alpha);
+  const auto low = hn::Set(U32(), 0xffffu);
+  const auto store = [&](hn::Vec<U32> v, float* to)
+                         HWY_ATTR { hn::Store(hn::Mul(hn::ConvertTo(d, hn::BitCast(di, v)), s), d, to + i); };
+  store(hn::And(rb, low), texel[0]);
+  store(hn::And(ga, low), texel[1]);
+  store(hn::ShiftRight<16>(rb), texel[2]);
+  store(hn::ShiftRight<16>(ga), texel[3]);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -70,9 +70,11 @@ struct Surface8 {
   explicit Surface8(TileSurface& s) : pixels(reinterpret_cast<std::int32_t*>(s.color8)) {}
 
   HWY_INLINE Rgba read(int at) const { return unpack8(hn::LoadU(hn::RebindToSigned<F>(), pixels + at)); }
-  HWY_INLINE void write(const Rgba& color, M mask, const std::array<bool, 4>& channels, int at) const {
+  /// `is_unit`: the colours need no clamping.
+  HWY_INLINE void write(const Rgba& color, bool is_unit, M mask, const std::array<bool, 4>& channels,
+                        int at) const {
     const hn::RebindToSigned<F> di;
-    auto packed = pack8(color);
+    auto packed = is_unit ? pack8_unit(color) : pack8(color);
     if (!all_channels(channels)) {
       std::uint32_t keep = 0;
       for (std::size_t c = 0; c < 4; ++c) keep |= channels[c] ? 0u : 0xffu << (8 * c);
@@ -94,7 +96,7 @@ struct SurfaceFloat {
     return {{hn::LoadU(d, planes[0] + at), hn::LoadU(d, planes[1] + at), hn::LoadU(d, planes[2] + at),
              hn::LoadU(d, planes[3] + at)}};
   }
-  HWY_INLINE void write(const Rgba& color, M mask, const std::array<bool, 4>& channels, int at) const {
+  HWY_INLINE void write(const Rgba& color, bool, M mask, const std::array<bool, 4>& channels, int at) const {
     for (int c = 0; c < 4; ++c) {
       if (channels[static_cast<std::size_t>(c)]) hn::BlendedStore(color.c[c], mask, F(), planes[c] + at);
     }
@@ -114,6 +116,9 @@ HWY_INLINE M alpha_test(const FragmentBatch& batch, int i, M mask, float* depth)
   return mask;
 }
 
+/// Colours clamped after the last texture unit are in [0, 1], unless fog has been mixed in since.
+bool colors_are_unit(const FragmentState& state) { return state.clamp_colors && !state.fog.enabled; }
+
 template <class Surface, class Blend>
 void store_runs(const FragmentBatch& batch, TileSurface& tile) {
   const F d;
@@ -121,8 +126,8 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
   const FragmentState& state = *batch.state;
   const Surface surface(tile);
   const Blend blend(state.blend);
-  // Colours clamped after the last texture unit are in [0, 1] already, unless fog has been mixed in since.
-  const bool clamp_source = Surface::kClampsSource && (!state.clamp_colors || state.fog.enabled);
+  const bool clamp_source = Surface::kClampsSource && !colors_are_unit(state);
+  const bool writes_unit = (Blend::kReads || !clamp_source) && blend.keeps_unit;
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     const int pixel = run.y * kTileWidth + run.x;
@@ -138,7 +143,7 @@ void store_runs(const FragmentBatch& batch, TileSurface& tile) {
         }
         color = blend(color, surface.read(at));
       }
-      surface.write(color, mask, state.color_mask, at);
+      surface.write(color, writes_unit, mask, state.color_mask, at);
     }
   }
 }
@@ -148,11 +153,12 @@ void store_opaque8(const FragmentBatch& batch, TileSurface& tile) {
   const F d;
   const hn::RebindToSigned<F> di;
   const int lanes = static_cast<int>(hn::Lanes(d));
+  const bool is_unit = colors_are_unit(*batch.state);
   alignas(64) std::int32_t packed[kBatchStride];
   for (int i = 0; i < batch.count; i += lanes) {
     const Rgba color{{hn::Load(d, batch.color[0] + i), hn::Load(d, batch.color[1] + i),
                       hn::Load(d, batch.color[2] + i), hn::Load(d, batch.color[3] + i)}};
-    hn::Store(pack8(color), di, packed + i);
+    hn::Store(is_unit ? pack8_unit(color) : pack8(color), di, packed + i);
   }
   auto* pixels = reinterpret_cast<std::int32_t*>(tile.color8);
   for (int r = 0; r < batch.run_count; ++r) {

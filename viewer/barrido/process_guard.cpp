@@ -18,6 +18,20 @@
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/standard_streams.h"
 
+// Sanitizers reserve terabytes of addresses, which count as data: there, a limit would end the program at
+// once.
+#if defined(__has_feature)
+#define BARRIDO_HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define BARRIDO_HAS_FEATURE(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || \
+    BARRIDO_HAS_FEATURE(address_sanitizer) || BARRIDO_HAS_FEATURE(thread_sanitizer)
+#define BARRIDO_RESERVES_TERABYTES true
+#else
+#define BARRIDO_RESERVES_TERABYTES false
+#endif
+
 namespace barrido::cli {
 namespace {
 
@@ -119,6 +133,7 @@ void stop_clock() {
 }
 
 void limit_data(std::uint64_t bytes) {
+  if constexpr (BARRIDO_RESERVES_TERABYTES) return;
   static const rlimit at_start = [] {
     rlimit limit{};
     ::getrlimit(RLIMIT_DATA, &limit);
