@@ -122,7 +122,7 @@ Lines image_lines(const std::string& bytes, const json& more = json::object()) {
   Model model = sound_triangle();
   json image = {{"uri", "image"}};
   image.update(more);
-  model.document["images"] = {image};
+  model.document["images"] = json::array({image});
   model.document["textures"] = {{{"source", 0}}};
   const TemporaryFolder folder;
   folder.write("image", bytes);

@@ -116,7 +116,7 @@ TEST(ValidateLink, Primitives) {
         "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT " + kPrimitive + "/indices"}},
       {"texture coordinates",
        [](Model& m) {
-         m.document["textures"] = {json::object()};
+         m.document["textures"] = json::array({json::object()});
          m.document["materials"] = {{{"emissiveTexture", {{"index", 0}}}}};
          primitive(m)["material"] = 0;
        },
@@ -131,7 +131,7 @@ TEST(ValidateLink, Primitives) {
        {"MESH_INVALID_WEIGHTS_COUNT /meshes/0/weights"}},
       {"tangents",
        [](Model& m) {
-         m.document["textures"] = {json::object()};
+         m.document["textures"] = json::array({json::object()});
          m.document["materials"] = {{{"normalTexture", {{"index", 0}}}}};
          primitive(m)["material"] = 0;
        },

@@ -6,7 +6,9 @@ namespace {
 
 json& accessor(Model& model) { return model.document["accessors"][0]; }
 json& node(Model& model) { return model.document["nodes"][0]; }
-void add_material(Model& model, const json& material) { model.document["materials"] = {material}; }
+void add_material(Model& model, const json& material) {
+  model.document["materials"] = json::array({material});
+}
 void declare(Model& model, const char* extension) { model.document["extensionsUsed"].push_back(extension); }
 
 TEST(ValidateShape, SoundTriangleHasNoFault) {
@@ -164,7 +166,7 @@ TEST(ValidateShape, Values) {
        },
        {"UNSATISFIED_DEPENDENCY /accessors/2/byteOffset"}},
       {"image of nothing",
-       [](Model& m) { m.document["images"] = {json::object()}; },
+       [](Model& m) { m.document["images"] = json::array({json::object()}); },
        {"ONE_OF_MISMATCH /images/0"}},
       {"children",
        [](Model& m) {
@@ -178,7 +180,7 @@ TEST(ValidateShape, Values) {
 
 TEST(ValidateShape, CamerasAndLights) {
   const auto camera = [](const json& value) {
-    return [value](Model& m) { m.document["cameras"] = {value}; };
+    return [value](Model& m) { m.document["cameras"] = json::array({value}); };
   };
   const auto spot = [](const json& angles) {
     return [angles](Model& m) {
