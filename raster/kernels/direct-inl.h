@@ -60,15 +60,30 @@ class FlatPixels {
   hn::Vec<hn::RebindToSigned<F>> packed_;
 };
 
-/// Interpolated colours of one span, blended with what is there unless Blend is Replace.
-template <class Blend>
+/// Whether the colours of a span that divides by no q need clamping in columns [begin, end): linear functions
+/// are monotonic in floating point, too, so the ends decide.
+HWY_INLINE bool colors_are_unit(const InterpolatedSpan& span, int color, int begin, int end) {
+  const hn::FixedTag<float, 4> d;
+  const auto row = hn::LoadU(d, span.row + color);
+  const auto slope = hn::LoadU(d, span.planes->slope_x + color);
+  const auto is_unit_at = [&](int x) HWY_ATTR {
+    const auto c = hn::Add(row, hn::Mul(slope, hn::Set(d, static_cast<float>(x - span.anchor))));
+    return hn::And(hn::Ge(c, hn::Zero(d)), hn::Le(c, hn::Set(d, 1.0f)));
+  };
+  return hn::AllTrue(d, hn::And(is_unit_at(begin), is_unit_at(end - 1)));
+}
+
+/// Interpolated colours of one span, blended with what is there unless Blend is Replace. kIsUnit: they are in
+/// [0, 1] before they are blended, and divided by no q.
+template <class Blend, bool kIsUnit>
 class SmoothPixels {
  public:
   SmoothPixels(const VaryingLayout& layout, const InterpolatedSpan& span, const Blend& blend)
-      : span_(span),
-        blend_(blend),
-        color_(kRecordVaryings + layout.color),
-        divides_(layout.color >= layout.affine_count && !span.constant_q) {}
+      : span_(span), blend_(blend), color_(kRecordVaryings + layout.color), divides_(divides(layout, span)) {}
+
+  static bool divides(const VaryingLayout& layout, const InterpolatedSpan& span) {
+    return layout.color >= layout.affine_count && !span.constant_q;
+  }
 
   /// The vector of pixels from column x on.
   HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask) const {
@@ -80,16 +95,18 @@ class SmoothPixels {
                      hn::Mul(hn::Set(d, span_.planes->slope_x[quantity]), k));
     };
     Rgba color{{linear(color_), linear(color_ + 1), linear(color_ + 2), linear(color_ + 3)}};
-    if (divides_) {
+    if (!kIsUnit && divides_) {
       const V q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
       const V w = hn::Div(one(), q);
       for (V& c : color.c) c = hn::Mul(c, w);
     }
     if constexpr (Blend::kReads) {
-      for (V& c : color.c) c = clamp01(c);
+      if constexpr (!kIsUnit) {
+        for (V& c : color.c) c = clamp01(c);
+      }
       color = blend_(color, unpack8(hn::LoadU(di, row + x)));
     }
-    const auto packed = Blend::kReads && blend_.keeps_unit ? pack8_unit(color) : pack8(color);
+    const auto packed = (kIsUnit || Blend::kReads) && blend_.keeps_unit ? pack8_unit(color) : pack8(color);
     hn::BlendedStore(packed, hn::RebindMask(di, mask), di, row + x);
   }
 

@@ -76,7 +76,7 @@ class SpanShader {
     if (route_ == Route::batch) return append(row, begin, end);
     const hn::ScalableTag<float> d;
     count_shaded(end - begin);
-    with_pixels([&](const auto& pixels) HWY_ATTR {
+    with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       const int lanes = static_cast<int>(hn::Lanes(d));
       for (int x = first_vector(begin, end, lanes); x < end; x += lanes) {
@@ -92,7 +92,7 @@ class SpanShader {
     if (route_ == Route::batch) return append_passing(row, begin, end);
     const hn::ScalableTag<float> d;
     std::size_t passed = 0;
-    with_pixels([&](const auto& pixels) HWY_ATTR {
+    with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       test_depth(
           state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
@@ -140,22 +140,33 @@ class SpanShader {
     workspace_.statistics.interpolations += static_cast<std::uint64_t>(fragments) * interpolations_;
   }
 
-  /// Calls draw(pixels) with what makes the span's colours.
+  /// Calls draw(pixels) with what makes the colours of the span's columns [begin, end).
   template <class Draw>
-  HWY_INLINE void with_pixels(Draw&& draw) {
+  HWY_INLINE void with_pixels(int begin, int end, Draw&& draw) {
     const FragmentState& state = *chunk_->state;
     switch (route_) {
       case Route::flat:
         return draw(FlatPixels(flat_colors(*chunk_, *primitive_).color));
       case Route::smooth_blend_constant:
-        return draw(SmoothPixels<BlendConstant>(state.varyings, span_, blend_constant_));
+        return with_smooth_pixels(begin, end, blend_constant_, draw);
       case Route::smooth_blend_source_alpha:
-        return draw(SmoothPixels<BlendSourceAlpha>(state.varyings, span_, BlendSourceAlpha(state.blend)));
+        return with_smooth_pixels(begin, end, BlendSourceAlpha(state.blend), draw);
       case Route::smooth:
       case Route::batch:
         break;
     }
-    draw(SmoothPixels<Replace>(state.varyings, span_, Replace(state.blend)));
+    with_smooth_pixels(begin, end, Replace(state.blend), draw);
+  }
+
+  template <class Blend, class Draw>
+  HWY_INLINE void with_smooth_pixels(int begin, int end, const Blend& blend, Draw&& draw) {
+    const VaryingLayout& layout = chunk_->state->varyings;
+    if (!SmoothPixels<Blend, true>::divides(layout, span_) &&
+        colors_are_unit(span_, kRecordVaryings + layout.color, begin, end)) {
+      draw(SmoothPixels<Blend, true>(layout, span_, blend));
+    } else {
+      draw(SmoothPixels<Blend, false>(layout, span_, blend));
+    }
   }
 
   void set_up() {
