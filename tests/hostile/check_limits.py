@@ -104,15 +104,15 @@ def large_in_earnest(checks: Checks) -> None:
 
 def more_than_allowed(checks: Checks) -> None:
     small = ["--resolution", "320,240"]
-    checks.run("a million triangles, 64M", grid(708, True), [*small, "--max-memory", "64M"], "--max-memory", 120)
     checks.run("a million triangles, 16M", grid(708, True), [*small, "--max-memory", "16M"], "--max-memory", 120)
-    checks.run("a frame of 8192², 100M", triangle(), ["--resolution", "8192,8192", "--max-memory", "100M"], "--max-memory", 120)
     checks.run("a photograph, 80M", photographs(1), [*small, "--max-memory", "80M"], "--max-memory", 120)
     checks.run("all in time and memory", triangle(), [*small, "--max-memory", "64M", "--max-seconds", "60"])
     checks.run("a frame of 16384², 0.2 s", triangle(), ["--resolution", "16384,16384", "--max-seconds", "0.2"], "--max-seconds")
     bomb = textured(pictures.png(8192, 8192, 1, 0))
     checks.run("a picture of zeros", bomb, small, "--max-memory", 128)
-    if not checks.sanitized:
+    if not checks.sanitized:  # What no account is kept of is limited by the system, which sanitizers do not bear.
+        checks.run("a million triangles, 64M", grid(708, True), [*small, "--max-memory", "64M"], "--max-memory", 120)
+        checks.run("a frame of 8192², 100M", triangle(), ["--resolution", "8192,8192", "--max-memory", "100M"], "--max-memory", 120)
         checks.run("a picture of zeros, allowed", bomb, [*small, "--max-memory", "2G"])
     many = triangle()
     many.document["nodes"] = [{"mesh": 0}] * 250_000
