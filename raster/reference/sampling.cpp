@@ -226,7 +226,8 @@ LevelChoice choose_levels(const TextureUnit& unit, float lod) {
       break;
     case MinFilter::nearest_mipmap_linear:
     case MinFilter::linear_mipmap_linear: {
-      const float bounded = minimum(biased, static_cast<float>(last));
+      // Larger than 0, as it is not magnified, or NaN, which counts as 0 for the other filters, too.
+      const float bounded = minimum(maximum(biased, 0.0f), static_cast<float>(last));
       choice.two_levels = true;
       choice.first = static_cast<int>(std::floor(bounded));
       choice.second = std::min(choice.first + 1, last);
