@@ -168,6 +168,10 @@ TEST(Accessor, BoundsAreExact) {
   EXPECT_CONTAINS(error("/bufferViews/1/byteOffset", 37), "bufferViews[1]: byteOffset 37 + 6 bytes");
   EXPECT_CONTAINS(error("/bufferViews/0/byteStride", 8),
                   "its elements of 12 bytes are larger than the byteStride 8");
+  Model beyond_32_bits = triangle();
+  beyond_32_bits.document["bufferViews"][0]["byteStride"] = 64;
+  beyond_32_bits.document["accessors"][0]["count"] = (1 << 26) + 1;
+  EXPECT_CONTAINS(import_error(beyond_32_bits), "accessors[0]: byteOffset 0 + 4294967308 bytes reaches past");
 }
 
 TEST(Accessor, MatrixColumnsArePaddedToFourBytes) {
