@@ -155,8 +155,8 @@ class Texels16 {
             as_u16(hn::Or(hn::ShiftRight<16>(red_green), hn::AndNot(low_half, blue_alpha)))};
   }
 
-  alignas(
-      64) std::uint32_t corner_[4][2 * kBatchStride];  ///< Lower left, lower right, upper left, upper right.
+  /// Lower left, lower right, upper left, upper right.
+  alignas(64) std::uint32_t corner_[4][2 * kBatchStride];
 };
 
 /// 16-bit channels to floats: red, green, blue, alpha.
