@@ -36,7 +36,8 @@ void find_levels_of_detail(const LodGroups& groups, int group_count, int unit, F
 /// @return texels read.
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]);
 
-/// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit.
+/// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit. Not
+/// for TextureEnvMode::replace, whose texels are sampled straight into the colours.
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]);
 
