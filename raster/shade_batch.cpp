@@ -26,13 +26,11 @@ void shade_batch(TileWorkspace& workspace) {
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_active(state, unit)) continue;
-    if (needs_lod(state.texture_units[static_cast<std::size_t>(unit)])) {
-      find_levels_of_detail(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch);
-    }
+    find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
     const bool replaces =
         state.texture_units[static_cast<std::size_t>(unit)].env_mode == TextureEnvMode::replace;
     workspace.statistics.texel_fetches +=
-        sample_texture(batch, unit, replaces ? batch.color : workspace.texel);
+        sample_texture(batch, unit, workspace.levels, replaces ? batch.color : workspace.texel);
     if (!replaces) combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
   workspace.clock.switch_to(Stage::write);

@@ -83,7 +83,8 @@ struct TileWorkspace {
   FragmentBatch batch;
   LodGroups lod_groups[kMaxTextureUnits];
   int lod_group_count = 0;  ///< The same for all units.
-  /// Results of the texture unit that is being sampled.
+  /// Levels and results of the texture unit that is being sampled.
+  SampleLevels levels;
   alignas(64) float texel[4][kBatchStride];
   /// Primary colours, for texture environments that ask for them after the first unit.
   alignas(64) float primary[4][kBatchStride];

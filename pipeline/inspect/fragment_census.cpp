@@ -49,7 +49,7 @@ class Band {
 
  private:
   bool passes_alpha_test(const FragmentPlace& place) {
-    if (batch_ == nullptr) batch_ = std::make_unique<raster::FragmentBatch>();
+    if (batch_ == nullptr) batch_ = std::make_unique<raster::reference::Fragment>();
     raster::reference::interpolate(place, *batch_);
     const raster::AlphaTest& test = place.chunk.state->alpha_test;
     return raster::reference::compare(test.compare, raster::reference::shade_fragment(*batch_)[3],
@@ -61,7 +61,7 @@ class Band {
   const CensusEvents& events_;
   raster::reference::RowRange rows_;
   std::vector<float> depth_;
-  std::unique_ptr<raster::FragmentBatch> batch_;  // only where there are alpha tests
+  std::unique_ptr<raster::reference::Fragment> batch_;  // only where there are alpha tests
 };
 
 }  // namespace

@@ -29,12 +29,15 @@ inline bool color_is_replaced(const FragmentState& state) {
   return first != nullptr && first->env_mode == TextureEnvMode::replace;
 }
 
-/// Level of detail of every fragment of the batch for `unit`, from `group_count` groups.
-void find_levels_of_detail(const LodGroups& groups, int group_count, int unit, FragmentBatch& batch);
+/// Mip levels of every fragment of the batch for `unit`, by the level of detail of `group_count` groups of
+/// pixels; the same for all when the unit's filters do not depend on it.
+void find_levels(const LodGroups& groups, int group_count, int unit, const FragmentBatch& batch,
+                 SampleLevels& levels);
 
 /// Samples `unit`'s texture for every fragment of the batch: texel[channel][fragment] in [0, 1].
 /// @return texels read.
-std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]);
+std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
+                             float (*texel)[kBatchStride]);
 
 /// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit. Not
 /// for TextureEnvMode::replace, whose texels are sampled straight into the colours.

@@ -41,6 +41,17 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> whole_to_integer(D d, hn::Vec<D> whole
   return hn::Sub(hn::BitCast(di, biased), hn::Set(di, 0x4b400000));
 }
 
+/// ⌊v⌋ as integers, for magnitudes up to 2^22.
+HWY_INLINE hn::Vec<hn::ScalableTag<std::int32_t>> floor_to_integer(hn::Vec<hn::ScalableTag<float>> v) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+  // One instruction where rounding and converting take four.
+  return hn::Vec<hn::ScalableTag<std::int32_t>>{
+      _mm512_cvt_roundps_epi32(v.raw, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
+#else
+  return whole_to_integer(hn::ScalableTag<float>(), hn::Floor(v));
+#endif
+}
+
 /// The lanes below n; none when n ≤ 0, all when n is large.
 template <class D>
 HWY_INLINE hn::Mask<D> lanes_below(D d, int n) {

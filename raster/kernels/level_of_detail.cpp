@@ -1,6 +1,6 @@
 // The level of detail λ of a batch's fragments (OpenGL 1.3, section 3.8.8; docs/arithmetic.md, "Level of
-// detail"): computed for groups of four pixels of a row, many rows at a time so that vectors are full, then
-// given to each fragment of the group.
+// detail") and the mip levels it asks for: computed for groups of four pixels of a row, many rows at a time
+// so that vectors are full, then given to each fragment of the group.
 #include "raster/kernels/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "raster/kernels/levels-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -112,28 +113,42 @@ HWY_INLINE hn::Vec<hn::ScalableTag<float>> lod_of_groups(const LodGroups& groups
   return lod_2d(s, t, q, w, width, height);
 }
 
-/// Gives each of `count` pixels from column x on the value of its group of four; up to three more are
+/// Gives each of `count` pixels from column x on the number of its group of four; up to three more are
 /// written.
-HWY_INLINE void spread_over_groups(const float* group_values, int x, int count, float* out) {
-  const hn::FixedTag<float, 4> d4;
+HWY_INLINE void spread_over_groups(const std::int32_t* of_group, int x, int count, std::int32_t* out) {
+  const hn::FixedTag<std::int32_t, 4> d4;
   const int in_first = std::min(4 - (x & 3), count);
-  for (int i = 0; i < in_first; ++i) out[i] = group_values[0];
-  for (int i = in_first, g = 1; i < count; i += 4, ++g) hn::StoreU(hn::Set(d4, group_values[g]), d4, out + i);
+  for (int i = 0; i < in_first; ++i) out[i] = of_group[0];
+  for (int i = in_first, g = 1; i < count; i += 4, ++g) hn::StoreU(hn::Set(d4, of_group[g]), d4, out + i);
 }
 
-void FindLevelsOfDetail(const LodGroups& groups, int group_count, int unit, FragmentBatch& batch) {
-  const hn::ScalableTag<float> d;
-  alignas(64) float group_lod[kBatchStride];
-  for (int g = 0; g < group_count; g += static_cast<int>(hn::Lanes(d))) {
-    hn::Store(lod_of_groups(groups, *batch.state, static_cast<std::size_t>(unit), g), d, group_lod + g);
+/// Whole vectors: what is past the last fragment is as the last one.
+void FindLevels(const LodGroups& groups, int group_count, int unit_number, const FragmentBatch& batch,
+                SampleLevels& levels) {
+  const F d;
+  const I di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto u = static_cast<std::size_t>(unit_number);
+  const TextureUnit& unit = batch.state->texture_units[u];
+  const LevelChoice choice = level_choice(unit);
+  if (!needs_lod(unit)) {
+    const auto all = hn::Set(di, level_zero(choice.min_linear));
+    for (int i = 0; i < batch.count; i += lanes) hn::Store(all, di, levels.packed + i);
+    return;
+  }
+  alignas(64) std::int32_t of_group[kBatchStride];
+  for (int g = 0; g < group_count; g += lanes) {
+    const auto lod = hn::Add(lod_of_groups(groups, *batch.state, u, g), hn::Set(d, unit.lod_bias));
+    hn::Store(choose_levels(lod, choice, unit.texture->level_count() - 1), di, of_group + g);
   }
   int g = 0;
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     const int count = run.end - run.begin;
-    spread_over_groups(group_lod + g, run.x, count, batch.lod[unit] + run.begin);
+    spread_over_groups(of_group + g, run.x, count, levels.packed + run.begin);
     g += lod_groups_in(run.x, count);
   }
+  hn::StoreU(hn::Set(di, levels.packed[batch.count - 1]), di, levels.packed + batch.count);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -142,10 +157,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace barrido::raster {
 
-HWY_EXPORT(FindLevelsOfDetail);
+HWY_EXPORT(FindLevels);
 
-void find_levels_of_detail(const LodGroups& groups, int group_count, int unit, FragmentBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(FindLevelsOfDetail)(groups, group_count, unit, batch);
+void find_levels(const LodGroups& groups, int group_count, int unit, const FragmentBatch& batch,
+                 SampleLevels& levels) {
+  HWY_DYNAMIC_DISPATCH(FindLevels)(groups, group_count, unit, batch, levels);
 }
 
 }  // namespace barrido::raster

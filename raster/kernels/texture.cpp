@@ -16,21 +16,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class TextureSampler {
  public:
-  TextureSampler(const FragmentBatch& batch, int unit)
+  TextureSampler(const FragmentBatch& batch, int unit, const SampleLevels& levels)
       : batch_(batch),
         number_(static_cast<std::size_t>(unit)),
-        unit_(batch.state->texture_units[number_]),
-        texture_(*unit_.texture),
-        choice_(level_choice(unit_)) {}
+        texture_(*batch.state->texture_units[number_].texture),
+        levels_(levels) {}
 
   std::uint64_t sample(float (*texel)[kBatchStride]) {
+    const std::uint64_t texels = sum_up_levels();
     find_footprints();
     if (texture_.format() == TexelFormat::rgba8) {
       filter<Texels8>(texel);
     } else {
       filter<Texels16>(texel);
     }
-    return texels_;
+    return texels;
   }
 
  private:
@@ -46,28 +46,39 @@ class TextureSampler {
     return coordinates_2d(hn::Div(s, r), hn::Div(t, r), texture_.options());
   }
 
-  void find_footprints() {
-    const F d;
+  /// What the fragments' levels have in common. @return the texels they read.
+  std::uint64_t sum_up_levels() {
     const I di;
-    const bool lod_matters =
-        choice_.mip_linear || choice_.mip_nearest || choice_.min_linear != choice_.mag_linear;
-    const auto bias = hn::Set(d, unit_.lod_bias);
+    const int lanes = static_cast<int>(hn::Lanes(di));
+    auto any = hn::Zero(di);
     auto texels = hn::Zero(di);
-    for (int i = 0; i < batch_.count; i += static_cast<int>(hn::Lanes(d))) {
-      const auto lod = lod_matters ? hn::Add(hn::LoadU(d, batch_.lod[number_] + i), bias) : hn::Zero(d);
-      const Levels levels = choose_levels(lod, choice_, texture_.level_count() - 1);
-      const Coordinates c = coordinates(i);
-      address(c, levels.lower, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
-              lower_, i);
-      any_linear_ = any_linear_ || !hn::AllFalse(di, levels.linear);
-      texels = hn::Add(texels, count_texels(levels, batch_.count - i));
-      if (!choice_.mip_linear) continue;
-      address(c, levels.upper, levels.linear, texture_.texel_levels(), texture_.options(), texture_.is_cube(),
-              upper_, i);
-      hn::Store(levels.weight, di, level_weight_ + i);
-      any_blend_ = any_blend_ || !hn::AllTrue(di, hn::Eq(levels.weight, hn::Zero(di)));
+    for (int i = 0; i < batch_.count; i += lanes) {
+      const auto packed = hn::IfThenElseZero(barrido::HWY_NAMESPACE::lanes_below(di, batch_.count - i),
+                                             hn::Load(di, levels_.packed + i));
+      any = hn::Or(any, packed);
+      texels = hn::Add(texels, hn::ShiftRight<kTexelCountShift>(packed));
     }
-    texels_ = static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(di, texels)));
+    const auto has = [&](std::int32_t bits) HWY_ATTR {
+      return !hn::AllTrue(di, hn::Eq(hn::And(any, hn::Set(di, bits)), hn::Zero(di)));
+    };
+    any_linear_ = has(kFourTexels);
+    any_blend_ = has(kUpperWeightMask);
+    return static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(di, texels)));
+  }
+
+  void find_footprints() {
+    const I di;
+    const TextureOptions& options = texture_.options();
+    const bool cube = texture_.is_cube();
+    const Borders borders{!cube && options.wrap_s == Wrap::clamp_to_border,
+                          !cube && options.wrap_t == Wrap::clamp_to_border};
+    LevelShapes shapes(texture_.texel_levels());
+    for (int i = 0; i < batch_.count; i += static_cast<int>(hn::Lanes(di))) {
+      shapes.look_up(hn::Load(di, levels_.packed + i));
+      const Coordinates c = coordinates(i);
+      address(c, shapes.lower, shapes, borders, cube, lower_, i);
+      if (any_blend_) address(c, shapes.upper, shapes, borders, cube, upper_, i);
+    }
   }
 
   /// Fetches the texels of one or two levels and filters them.
@@ -80,35 +91,24 @@ class TextureSampler {
       Filtered f = any_linear_ ? lower.linear(lower_, i) : lower.nearest(i);
       if (any_blend_) {
         const Filtered above = any_linear_ ? upper.linear(upper_, i) : upper.nearest(i);
-        f = mix(f, above, load_weights(level_weight_, i));
+        f = mix(f, above, level_weight256(levels_, i));
       }
       store_texels(f, Texels::kScale, texel, i);
     }
   }
 
-  /// One or four texels a level, one or two levels, for the fragments among the next `fragments`.
-  HWY_INLINE VI count_texels(const Levels& levels, int fragments) const {
-    const I di;
-    const auto one_level = hn::IfThenElse(levels.linear, hn::Set(di, 4), hn::Set(di, 1));
-    const auto two = hn::Gt(levels.weight, hn::Zero(di));
-    const auto texels = hn::Add(one_level, hn::IfThenElseZero(two, one_level));
-    return hn::IfThenElseZero(barrido::HWY_NAMESPACE::lanes_below(di, fragments), texels);
-  }
-
   const FragmentBatch& batch_;
   const std::size_t number_;
-  const TextureUnit& unit_;
   const Texture& texture_;
-  const LevelChoice choice_;
-  std::uint64_t texels_ = 0;
+  const SampleLevels& levels_;
   bool any_linear_ = false;
   bool any_blend_ = false;
   Footprint lower_, upper_;
-  alignas(64) std::int32_t level_weight_[kBatchStride];
 };
 
-std::uint64_t SampleTexture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]) {
-  return TextureSampler(batch, unit).sample(texel);
+std::uint64_t SampleTexture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
+                            float (*texel)[kBatchStride]) {
+  return TextureSampler(batch, unit, levels).sample(texel);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -119,8 +119,9 @@ namespace barrido::raster {
 
 HWY_EXPORT(SampleTexture);
 
-std::uint64_t sample_texture(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]) {
-  return HWY_DYNAMIC_DISPATCH(SampleTexture)(batch, unit, texel);
+std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
+                             float (*texel)[kBatchStride]) {
+  return HWY_DYNAMIC_DISPATCH(SampleTexture)(batch, unit, levels, texel);
 }
 
 }  // namespace barrido::raster

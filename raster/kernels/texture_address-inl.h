@@ -1,5 +1,5 @@
-// Which texels: from coordinates and level of detail to levels, texel addresses and 8-bit weights, a vector
-// of fragments at a time (docs/arithmetic.md, "Level of detail" and "Texels").
+// Which texels: from coordinates and levels to texel addresses and 8-bit weights, a vector of fragments at a
+// time (docs/arithmetic.md, "Texels").
 #if defined(BARRIDO_TEXTURE_ADDRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_TEXTURE_ADDRESS_INL_H
 #undef BARRIDO_TEXTURE_ADDRESS_INL_H
@@ -10,101 +10,66 @@
 #include <hwy/highway.h>
 
 #include "raster/kernels/lanes-inl.h"
+#include "raster/kernels/levels-inl.h"
 #include "raster/kernels/simd_math-inl.h"
-
-#include <algorithm>
-
-#include "raster/fragment_batch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::ScalableTag<float>;
-using I = hn::ScalableTag<std::int32_t>;
-using VF = hn::Vec<F>;
-using VI = hn::Vec<I>;
-
-/// How the two filters choose levels for a unit.
-struct LevelChoice {
-  float magnification_limit;  ///< λ up to which the magnification filter is used.
-  bool min_linear;            ///< Four texels when minifying.
-  bool mag_linear;
-  bool mip_nearest;  ///< *_mipmap_nearest
-  bool mip_linear;   ///< *_mipmap_linear
+/// The tables of one level for a vector of fragments: what its addresses depend on.
+struct LevelShape {
+  VF scale_x, scale_y;  ///< Width and height × 256: texels in 24.8 fixed point.
+  VI pitch;             ///< To the texel above.
+  VI origin;            ///< Of face 0.
+  VI face_stride;
 };
 
-LevelChoice level_choice(const TextureUnit& unit) {
-  const MinFilter f = unit.min_filter;
-  LevelChoice choice{};
-  choice.min_linear =
-      f == MinFilter::linear || f == MinFilter::linear_mipmap_nearest || f == MinFilter::linear_mipmap_linear;
-  choice.mag_linear = unit.mag_filter == MagFilter::linear;
-  choice.mip_nearest = f == MinFilter::nearest_mipmap_nearest || f == MinFilter::linear_mipmap_nearest;
-  choice.mip_linear = f == MinFilter::nearest_mipmap_linear || f == MinFilter::linear_mipmap_linear;
-  const bool half =
-      choice.mag_linear && (f == MinFilter::nearest_mipmap_nearest || f == MinFilter::nearest_mipmap_linear);
-  choice.magnification_limit = half ? 0.5f : 0.0f;
-  return choice;
-}
-
-/// Levels of a vector of fragments.
-struct Levels {
-  VI lower, upper;     ///< The same when one level is used.
-  VI weight;           ///< 8 bits, of the upper level.
-  hn::Mask<I> linear;  ///< Four texels a level.
-};
-
-HWY_INLINE Levels choose_levels(VF lod, const LevelChoice& choice, int last_level) {
+/// Shape of each fragment's `level`; when `uniform`, of the first fragment's.
+HWY_INLINE LevelShape level_shape(VI level, bool uniform, const TexelLevels& tables) {
   const F d;
   const I di;
-  const auto zero = hn::Zero(di);
-  const auto magnified_f = hn::Le(lod, hn::Set(d, choice.magnification_limit));
-  const auto magnified = hn::RebindMask(di, magnified_f);
-  const auto flag = [&](bool on) HWY_ATTR { return hn::MaskFromVec(hn::Set(di, on ? -1 : 0)); };
-  Levels levels{
-      zero, zero, zero,
-      hn::Or(hn::And(magnified, flag(choice.mag_linear)), hn::AndNot(magnified, flag(choice.min_linear)))};
-  if (!choice.mip_nearest && !choice.mip_linear) return levels;
-  const auto last = hn::Set(d, static_cast<float>(last_level));
-  const auto bounded = barrido::HWY_NAMESPACE::minimum(
-      barrido::HWY_NAMESPACE::maximum(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
-  if (choice.mip_nearest) {
-    const auto level = hn::Sub(hn::Ceil(hn::Add(bounded, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
-    levels.lower = barrido::HWY_NAMESPACE::whole_to_integer(
-        d, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(level, hn::Zero(d)), last));
-    levels.lower = hn::IfThenZeroElse(magnified, levels.lower);
-    levels.upper = levels.lower;
-    return levels;
-  }
-  const auto lambda =
-      barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(bounded, hn::Zero(d)), last);
-  const auto below = hn::Floor(lambda);
-  const auto weight = hn::Floor(hn::Mul(hn::Sub(lambda, below), hn::Set(d, 256.0f)));
-  levels.lower = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, below));
-  levels.weight = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, weight));
-  const auto next =
-      barrido::HWY_NAMESPACE::minimum(hn::Add(levels.lower, hn::Set(di, 1)), hn::Set(di, last_level));
-  levels.upper = hn::IfThenElse(hn::Gt(levels.weight, zero), next, levels.lower);
-  return levels;
+  const std::int32_t first = hn::GetLane(level);
+  const auto look_up = [&](const std::int32_t* table) HWY_ATTR {
+    return uniform ? hn::Set(di, table[first]) : hn::GatherIndex(di, table, level);
+  };
+  const auto scale = hn::Set(d, 256.0f);
+  return {hn::Mul(hn::ConvertTo(d, look_up(tables.width)), scale),
+          hn::Mul(hn::ConvertTo(d, look_up(tables.height)), scale), look_up(tables.pitch),
+          look_up(tables.origin), look_up(tables.face_stride)};
 }
 
-/// A number per lane from a table by level; one broadcast when all lanes share the level, which is the usual
-/// case.
-struct LevelLookup {
-  VI level;
-  bool uniform;
-  std::int32_t first;
+/// The shapes of the two levels that a vector of fragments is sampled from. Neighbours mostly share their
+/// levels, so the shapes are looked up when they change.
+class LevelShapes {
+ public:
+  explicit LevelShapes(const TexelLevels& tables) : tables_(tables) {}
 
-  explicit LevelLookup(VI l) : level(l) {
+  /// Of fragments whose packed levels are these.
+  HWY_INLINE void look_up(VI packed) {
     const I di;
-    first = hn::GetLane(l);
-    uniform = hn::AllTrue(di, hn::Eq(l, hn::Set(di, first)));
+    const auto levels = hn::And(packed, hn::Set(di, kLevelsMask));
+    if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(levels, hn::Set(di, current_))))) return;
+    const std::int32_t first = hn::GetLane(levels);
+    uniform = hn::AllTrue(di, hn::Eq(levels, hn::Set(di, first)));
+    current_ = uniform ? first : kNone;
+    const auto low_bits = hn::Set(di, 0x7f);
+    lower = level_shape(hn::And(hn::ShiftRight<kLowerLevelShift>(levels), low_bits), uniform, tables_);
+    upper = level_shape(hn::And(hn::ShiftRight<kUpperLevelShift>(levels), low_bits), uniform, tables_);
+    linear = hn::TestBit(levels, hn::Set(di, kFourTexels));
+    any_linear = !hn::AllFalse(di, linear);
+    any_nearest = !hn::AllTrue(di, linear);
   }
-  HWY_INLINE VI operator()(const std::int32_t* table) const {
-    const I di;
-    return uniform ? hn::Set(di, table[first]) : hn::GatherIndex(di, table, level);
-  }
+
+  LevelShape lower, upper;
+  hn::Mask<I> linear;  ///< Four texels a level.
+  bool any_linear = false, any_nearest = false;
+  bool uniform = false;
+
+ private:
+  static constexpr std::int32_t kNone = -1;
+  const TexelLevels& tables_;
+  std::int32_t current_ = kNone;
 };
 
 /// Coordinates of a vector of fragments: on a face of a cube map or on the one image.
@@ -114,9 +79,9 @@ struct Coordinates {
 };
 
 /// Coordinates not below 2^22 in magnitude, and NaN, count as 0.
-HWY_INLINE VF usable(VF c) {
+HWY_INLINE hn::Mask<F> usable(VF c) {
   const F d;
-  return hn::IfThenElseZero(hn::Lt(hn::Abs(c), hn::Set(d, 4194304.0f)), c);
+  return hn::Lt(hn::Abs(c), hn::Set(d, 4194304.0f));
 }
 
 HWY_INLINE VF wrap(VF u, Wrap mode) {
@@ -139,7 +104,9 @@ HWY_INLINE VF wrap(VF u, Wrap mode) {
 }
 
 HWY_INLINE Coordinates coordinates_2d(VF s, VF t, const TextureOptions& options) {
-  return {wrap(usable(s), options.wrap_s), wrap(usable(t), options.wrap_t), hn::Zero(I())};
+  // 0 wraps to 0.
+  return {hn::IfThenElseZero(usable(s), wrap(s, options.wrap_s)),
+          hn::IfThenElseZero(usable(t), wrap(t, options.wrap_t)), hn::Zero(I())};
 }
 
 /// Face and (u, v) in [0, 1] by the major axis (OpenGL 1.3, table 3.19).
@@ -176,65 +143,61 @@ HWY_INLINE Coordinates coordinates_cube(VF x, VF y, VF z) {
 struct Footprint {
   alignas(64) std::int32_t address[kBatchStride];  ///< Of the (nearest or lower left) texel, in texels.
   alignas(64) std::int32_t pitch[kBatchStride];    ///< To the texel above.
-  alignas(64) std::int32_t weight_x[kBatchStride];
-  alignas(64) std::int32_t weight_y[kBatchStride];
-  bool has_one_pitch = true;  ///< The same for all, the usual case.
+  alignas(64) std::int32_t weights[kBatchStride];  ///< Along x in bits 0–7, along y in bits 24–31.
+  bool has_one_pitch = true;                       ///< The same for all, the usual case.
 };
 
-/// Nearest texel along one axis.
-HWY_INLINE VI nearest_texel(VF u, VI size, bool border) {
+/// Nearest texel along one axis, in 24.8 fixed point. Only coordinates with a border leave [0, 1].
+HWY_INLINE VI nearest_texel(VF u, VF scale, bool border) {
   const F d;
-  const auto size_f = hn::ConvertTo(d, size);
-  const auto scaled = hn::Floor(hn::Mul(u, size_f));
-  const auto low = hn::Set(d, border ? -1.0f : 0.0f);
-  const auto high = border ? size_f : hn::Sub(size_f, hn::Set(d, 1.0f));
-  return barrido::HWY_NAMESPACE::whole_to_integer(
-      d, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, low), high));
-}
-
-/// Lower texel in 24.8 fixed point along one axis.
-HWY_INLINE VI linear_texel(VF u, VI size) {
-  const F d;
-  const auto size_f = hn::ConvertTo(d, size);
-  // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
-  const auto half = hn::Set(d, 0.5f - 0x1p-9f);
-  const auto fixed = hn::Mul(hn::Sub(hn::Mul(u, size_f), half), hn::Set(d, 256.0f));
-  const auto bounded = barrido::HWY_NAMESPACE::minimum(
-      barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), hn::Mul(size_f, hn::Set(d, 256.0f)));
-  return barrido::HWY_NAMESPACE::whole_to_integer(d, hn::Floor(bounded));
-}
-
-/// Addresses and weights of a vector of fragments at `level`. Where `linear` is false the weights are 0, so
-/// that the four-texel filter gives exactly the nearest texel.
-HWY_INLINE void address(const Coordinates& c, VI level, hn::Mask<I> linear, const TexelLevels& table,
-                        const TextureOptions& options, bool cube, Footprint& out, int i) {
   const I di;
-  const LevelLookup lookup(level);
-  const auto width = lookup(table.width);
-  const auto height = lookup(table.height);
-  const auto pitch = lookup(table.pitch);
-  auto origin = lookup(table.origin);
-  if (cube) origin = hn::Add(origin, hn::Mul(c.face, lookup(table.face_stride)));
+  const auto size = hn::Mul(scale, hn::Set(d, 1.0f / 256.0f));
+  const auto last = hn::Sub(barrido::HWY_NAMESPACE::whole_to_integer(d, size), hn::Set(di, border ? 0 : 1));
+  auto scaled = hn::Mul(u, size);
+  if (border)
+    scaled =
+        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, hn::Set(d, -1.0f)), size);
+  return hn::ShiftLeft<8>(hn::Min(barrido::HWY_NAMESPACE::floor_to_integer(scaled), last));
+}
+
+/// Lower texel along one axis, in 24.8 fixed point.
+HWY_INLINE VI linear_texel(VF u, VF scale, bool border) {
+  const F d;
+  // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
+  auto fixed = hn::Sub(hn::Mul(u, scale), hn::Set(d, 127.5f));
+  if (border)
+    fixed =
+        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), scale);
+  return barrido::HWY_NAMESPACE::floor_to_integer(fixed);
+}
+
+/// Which of the two axes have coordinates outside [0, 1].
+struct Borders {
+  bool s, t;
+};
+
+/// Addresses and weights of a vector of fragments in one level. Where `linear` is false the weights are 0, so
+/// that the four-texel filter gives exactly the nearest texel.
+HWY_INLINE void address(const Coordinates& c, const LevelShape& level, const LevelShapes& shapes,
+                        const Borders& borders, bool cube, Footprint& out, int i) {
+  const I di;
   auto x = hn::Zero(di);
   auto y = hn::Zero(di);
-  if (!hn::AllFalse(di, linear)) {
-    x = linear_texel(c.u, width);
-    y = linear_texel(c.v, height);
+  if (shapes.any_linear) {
+    x = linear_texel(c.u, level.scale_x, borders.s);
+    y = linear_texel(c.v, level.scale_y, borders.t);
   }
-  if (!hn::AllTrue(di, linear)) {
-    const bool border_s = !cube && options.wrap_s == Wrap::clamp_to_border;
-    const bool border_t = !cube && options.wrap_t == Wrap::clamp_to_border;
-    x = hn::IfThenElse(linear, x, hn::ShiftLeft<8>(nearest_texel(c.u, width, border_s)));
-    y = hn::IfThenElse(linear, y, hn::ShiftLeft<8>(nearest_texel(c.v, height, border_t)));
+  if (shapes.any_nearest) {
+    x = hn::IfThenElse(shapes.linear, x, nearest_texel(c.u, level.scale_x, borders.s));
+    y = hn::IfThenElse(shapes.linear, y, nearest_texel(c.v, level.scale_y, borders.t));
   }
+  const auto origin = cube ? hn::Add(level.origin, hn::Mul(c.face, level.face_stride)) : level.origin;
   const auto column = hn::ShiftRight<8>(x);
   const auto row = hn::ShiftRight<8>(y);
-  const auto fraction = hn::Set(di, 255);
-  hn::Store(hn::Add(origin, hn::Add(column, hn::Mul(row, pitch))), di, out.address + i);
-  hn::Store(pitch, di, out.pitch + i);
-  out.has_one_pitch = out.has_one_pitch && lookup.uniform && table.pitch[lookup.first] == out.pitch[0];
-  hn::Store(hn::And(x, fraction), di, out.weight_x + i);
-  hn::Store(hn::And(y, fraction), di, out.weight_y + i);
+  hn::Store(hn::Add(origin, hn::Add(column, hn::Mul(row, level.pitch))), di, out.address + i);
+  hn::Store(level.pitch, di, out.pitch + i);
+  out.has_one_pitch = out.has_one_pitch && shapes.uniform && hn::GetLane(level.pitch) == out.pitch[0];
+  hn::Store(hn::Or(hn::And(x, hn::Set(di, 255)), hn::ShiftLeft<24>(y)), di, out.weights + i);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -22,13 +22,24 @@ using U32 = hn::ScalableTag<std::uint32_t>;
 
 HWY_INLINE hn::Vec<U32> as_u32(hn::Vec<U16> v) { return hn::BitCast(U32(), v); }
 HWY_INLINE hn::Vec<U16> as_u16(hn::Vec<U32> v) { return hn::BitCast(U16(), v); }
-/// The same 16-bit number in both halves of each 32-bit lane.
-HWY_INLINE hn::Vec<U16> in_both_halves(hn::Vec<U32> v) { return as_u16(hn::Or(v, hn::ShiftLeft<16>(v))); }
 
-/// (a − ((a·256·weight) >> 16)) + ((b·256·weight) >> 16) per 16-bit lane: a when the weight is 0 or a = b.
+/// The byte kByte of each 32-bit lane as the low or the high byte of both of its 16-bit halves.
+template <int kByte, bool kHigh>
+HWY_INLINE hn::Vec<U16> byte_in_halves(VI v) {
+  const hn::Repartition<std::uint8_t, U32> d8;
+  constexpr std::uint8_t kZero = 0x80;
+  constexpr auto at = [](int lane) { return static_cast<std::uint8_t>(4 * lane + kByte); };
+#define BARRIDO_BYTES(lane) \
+  kHigh ? kZero : at(lane), kHigh ? at(lane) : kZero, kHigh ? kZero : at(lane), kHigh ? at(lane) : kZero
+  alignas(16) static constexpr std::uint8_t kFrom[16] = {BARRIDO_BYTES(0), BARRIDO_BYTES(1), BARRIDO_BYTES(2),
+                                                         BARRIDO_BYTES(3)};
+#undef BARRIDO_BYTES
+  return hn::BitCast(U16(), hn::TableLookupBytesOr0(hn::BitCast(d8, v), hn::LoadDup128(d8, kFrom)));
+}
+
+/// (a − ((a·weight) >> 16)) + ((b·weight) >> 16) per 16-bit lane: a when the weight is 0 or a = b.
 HWY_INLINE hn::Vec<U16> mix(hn::Vec<U16> a, hn::Vec<U16> b, hn::Vec<U16> weight) {
-  const auto w = hn::ShiftLeft<8>(weight);
-  return hn::Add(hn::Sub(a, hn::MulHigh(a, w)), hn::MulHigh(b, w));
+  return hn::Add(hn::Sub(a, hn::MulHigh(a, weight)), hn::MulHigh(b, weight));
 }
 
 /// Filtered texels of a vector of fragments, 16 bits a channel: 32-bit lanes hold (red, blue) and (green,
@@ -41,9 +52,19 @@ HWY_INLINE Filtered mix(const Filtered& a, const Filtered& b, hn::Vec<U16> weigh
   return {mix(a.red_blue, b.red_blue, weight), mix(a.green_alpha, b.green_alpha, weight)};
 }
 
-/// Weights from an array of 32-bit numbers.
-HWY_INLINE hn::Vec<U16> load_weights(const std::int32_t* weights, int i) {
-  return in_both_halves(hn::Load(U32(), reinterpret_cast<const std::uint32_t*>(weights) + i));
+/// Weights of a vector of fragments in both 16-bit halves of each lane: along x in [0, 255], along y × 256.
+HWY_INLINE hn::Vec<U16> weight_x(const Footprint& f, int i) {
+  return byte_in_halves<0, false>(hn::Load(I(), f.weights + i));
+}
+HWY_INLINE hn::Vec<U16> weight_x256(const Footprint& f, int i) {
+  return byte_in_halves<0, true>(hn::Load(I(), f.weights + i));
+}
+HWY_INLINE hn::Vec<U16> weight_y256(const Footprint& f, int i) {
+  return byte_in_halves<3, true>(hn::Load(I(), f.weights + i));
+}
+/// Of the upper level, × 256.
+HWY_INLINE hn::Vec<U16> level_weight256(const SampleLevels& levels, int i) {
+  return byte_in_halves<0, true>(hn::Load(I(), levels.packed + i));
 }
 
 /// Calls fetch(i, below, above) for the fragments of a batch: the distances in bytes of the texel and of the
@@ -92,8 +113,8 @@ class Texels8 {
   }
 
   HWY_INLINE Filtered linear(const Footprint& f, int i) const {
-    const auto wx = load_weights(f.weight_x, i);
-    return mix(across(lower_ + 2 * i, wx), across(upper_ + 2 * i, wx), load_weights(f.weight_y, i));
+    const auto wx = weight_x(f, i);
+    return mix(across(lower_ + 2 * i, wx), across(upper_ + 2 * i, wx), weight_y256(f, i));
   }
 
  private:
@@ -106,10 +127,10 @@ class Texels8 {
     const auto right = hn::ConcatOdd(du, b, a);
     const auto wx0 = hn::Sub(hn::Set(U16(), std::uint16_t{256}), wx);
     const auto mask = hn::Set(du, 0x00ff00ffu);
-    const auto blend = [&](hn::Vec<U32> l, hn::Vec<U32> r) HWY_ATTR {
-      return hn::Add(hn::Mul(as_u16(hn::And(l, mask)), wx0), hn::Mul(as_u16(hn::And(r, mask)), wx));
-    };
-    return {blend(left, right), blend(hn::ShiftRight<8>(left), hn::ShiftRight<8>(right))};
+    const auto blend = [&](hn::Vec<U16> l, hn::Vec<U16> r)
+                           HWY_ATTR { return hn::Add(hn::Mul(l, wx0), hn::Mul(r, wx)); };
+    return {blend(as_u16(hn::And(left, mask)), as_u16(hn::And(right, mask))),
+            blend(hn::ShiftRight<8>(as_u16(left)), hn::ShiftRight<8>(as_u16(right)))};
   }
 
   alignas(64) std::uint32_t lower_[2 * kBatchStride];
@@ -134,9 +155,9 @@ class Texels16 {
   HWY_INLINE Filtered nearest(int i) const { return sorted(words(0, i)); }
 
   HWY_INLINE Filtered linear(const Footprint& f, int i) const {
-    const auto wx = load_weights(f.weight_x, i);
-    return sorted(mix(mix(words(0, i), words(1, i), wx), mix(words(2, i), words(3, i), wx),
-                      load_weights(f.weight_y, i)));
+    const auto wx = weight_x256(f, i);
+    return sorted(
+        mix(mix(words(0, i), words(1, i), wx), mix(words(2, i), words(3, i), wx), weight_y256(f, i)));
   }
 
  private:

@@ -32,7 +32,7 @@ bool is_beside(const PrimitiveRecord& p, const PixelWindow& window) {
 }
 
 /// State, facing and the primitive's own colours. Colours that no varying gives are the flat ones.
-void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, FragmentBatch& batch) {
+void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, Fragment& batch) {
   batch.state = chunk.state;
   batch.back_facing = (primitive.flat_and_facing & kBackFacing) != 0;
   batch.count = 1;
@@ -45,7 +45,7 @@ void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitiv
 }
 
 /// Depth, varyings and levels of detail at pixel x of a span.
-void interpolate_at(const SpanQuantities& along, int x, int y, FragmentBatch& batch) {
+void interpolate_at(const SpanQuantities& along, int x, int y, Fragment& batch) {
   const VaryingLayout& layout = batch.state->varyings;
   const auto distance = static_cast<float>(x - along.anchor);
   batch.runs[0] = {static_cast<std::int16_t>(x % kTileWidth), static_cast<std::int16_t>(y % kTileHeight), 0,
@@ -58,7 +58,7 @@ void interpolate_at(const SpanQuantities& along, int x, int y, FragmentBatch& ba
     batch.varying[k][0] = k < layout.affine_count ? value : value * w;
   }
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    batch.lod[unit][0] =
+    batch.lod[unit] =
         is_unit_active(*batch.state, unit) ? level_of_detail(*batch.state, unit, along, x) : 0.0f;
   }
 }
@@ -97,7 +97,7 @@ void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize 
   });
 }
 
-void interpolate(const FragmentPlace& place, FragmentBatch& batch) {
+void interpolate(const FragmentPlace& place, Fragment& batch) {
   begin_fragment(place.chunk, place.primitive, batch);
   interpolate_at(place.along, place.x, place.y, batch);
 }

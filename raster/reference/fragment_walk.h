@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "raster/fragment_batch.h"
+#include "raster/reference/fragment.h"
 #include "raster/primitive.h"
 #include "raster/reference/planes.h"
 #include "raster/reference/spans.h"
@@ -41,7 +41,7 @@ void for_each_span(std::span<const PrimitiveChunk* const> chunks, FrameSize fram
                    const std::function<void(const FragmentPlace&)>& visit);
 
 /// A batch of the one fragment: state, facing, flat colours, depth, varyings and levels of detail.
-void interpolate(const FragmentPlace& place, FragmentBatch& batch);
+void interpolate(const FragmentPlace& place, Fragment& batch);
 
 /// The fragment's depth alone; as interpolate() gives it.
 float interpolated_depth(const FragmentPlace& place);

@@ -12,7 +12,7 @@ namespace barrido::raster::reference {
 void rasterize(std::span<const PrimitiveChunk* const> chunks, const ClearValues& clear,
                Framebuffer& framebuffer) {
   Canvas canvas(framebuffer.options(), clear);
-  const auto batch = std::make_unique<FragmentBatch>();
+  const auto batch = std::make_unique<Fragment>();
   for_each_fragment(chunks, {framebuffer.width(), framebuffer.height()}, {}, [&](const FragmentPlace& place) {
     const FragmentState& state = *place.chunk.state;
     if (!is_inside_scissor(state.scissor, place.x, place.y)) return;

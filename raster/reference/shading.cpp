@@ -16,7 +16,7 @@ Color clamped(Color color) {
 }
 
 /// Colours from the varyings, where the primitive has them, or from the illumination function.
-void light_fragment(FragmentBatch& batch) {
+void light_fragment(Fragment& batch) {
   const FragmentState& state = *batch.state;
   const VaryingLayout& layout = state.varyings;
   if (layout.color != kAbsent) {
@@ -30,7 +30,7 @@ void light_fragment(FragmentBatch& batch) {
   }
 }
 
-Color sample_unit(const FragmentBatch& batch, int unit, UnitTrace* trace) {
+Color sample_unit(const Fragment& batch, int unit, UnitTrace* trace) {
   const auto index = static_cast<std::size_t>(unit);
   const VaryingLayout& layout = batch.state->varyings;
   const TexcoordKind kind = layout.texcoord_kind[index];
@@ -40,13 +40,13 @@ Color sample_unit(const FragmentBatch& batch, int unit, UnitTrace* trace) {
   if (trace != nullptr) {
     trace->unit = unit;
     std::copy_n(coordinates, 3, trace->coordinates);
-    trace->lod = batch.lod[unit][0];
+    trace->lod = batch.lod[unit];
   }
-  return sample_texture(batch.state->texture_units[index], kind, coordinates, batch.lod[unit][0],
+  return sample_texture(batch.state->texture_units[index], kind, coordinates, batch.lod[unit],
                         trace != nullptr ? &trace->sample : nullptr);
 }
 
-Color apply_texture_units(const FragmentBatch& batch, const Color& primary, ShadingTrace* trace) {
+Color apply_texture_units(const Fragment& batch, const Color& primary, ShadingTrace* trace) {
   const FragmentState& state = *batch.state;
   Color color = primary;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
@@ -100,7 +100,7 @@ float fog_fraction(const FogState& fog, float distance) {
   return clamp_to_unit(f);
 }
 
-Color shade_fragment(FragmentBatch& batch, ShadingTrace* trace) {
+Color shade_fragment(Fragment& batch, ShadingTrace* trace) {
   const FragmentState& state = *batch.state;
   light_fragment(batch);
   Color primary{};

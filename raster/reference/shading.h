@@ -1,8 +1,8 @@
 // From an interpolated fragment to its final colour: primary and secondary colours, texture units, colour
-// sum, fog. Enters and leaves a FragmentBatch of one fragment; knows nothing of the frame.
+// sum, fog. Enters and leaves a fragment; knows nothing of the frame.
 #pragma once
 
-#include "raster/fragment_batch.h"
+#include "raster/reference/fragment.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/trace.h"
 
@@ -16,6 +16,6 @@ float fog_fraction(const FogState& fog, float distance);
 
 /// The colour of the batch's fragment, whose depth, varyings and levels of detail are set and whose colours
 /// are those of the primitive where it is flat. The steps are remembered in `trace` unless that is null.
-Color shade_fragment(FragmentBatch& batch, ShadingTrace* trace = nullptr);
+Color shade_fragment(Fragment& batch, ShadingTrace* trace = nullptr);
 
 }  // namespace barrido::raster::reference

@@ -32,7 +32,7 @@ PixelTrace trace_pixel(std::span<const PrimitiveChunk* const> chunks, const Clea
   PixelTrace pixel;
   pixel.clear = canvas.color(0, 0);
   pixel.clear_depth = canvas.depth(0, 0);
-  const auto batch = std::make_unique<FragmentBatch>();
+  const auto batch = std::make_unique<Fragment>();
   for_each_fragment(
       chunks, {frame.width, frame.height}, {{x, x + 1}, {y, y + 1}}, [&](const FragmentPlace& place) {
         FragmentTrace& trace = pixel.fragments.emplace_back(begin_trace(place));

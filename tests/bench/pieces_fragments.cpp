@@ -81,6 +81,17 @@ struct PreparedBatch {
   std::unique_ptr<raster::FragmentBatch> batch = std::make_unique<raster::FragmentBatch>();
 };
 
+/// Packed levels of a fragment half way between levels 0 and 1.
+std::int32_t levels_of(raster::MinFilter filter) {
+  using raster::MinFilter;
+  const bool four = filter == MinFilter::linear || filter == MinFilter::linear_mipmap_nearest ||
+                    filter == MinFilter::linear_mipmap_linear;
+  const bool two = filter == MinFilter::nearest_mipmap_linear || filter == MinFilter::linear_mipmap_linear;
+  const int texels = (four ? 4 : 1) * (two ? 2 : 1);
+  return (two ? 128 | 1 << raster::kUpperLevelShift : 0) | (four ? raster::kFourTexels : 0) |
+         texels << raster::kTexelCountShift;
+}
+
 /// A scanline through a texture of 1024² texels at 1.4 texels a pixel.
 void texture_filter(benchmark::State& state, raster::MinFilter filter) {
   GroundOptions options;
@@ -91,10 +102,11 @@ void texture_filter(benchmark::State& state, raster::MinFilter filter) {
   const int at = prepared.plan->fragment.varyings.texcoord[0];
   prepared.set(at, 0.1f, 1.4f / 1024);
   prepared.set(at + 1, 0.3f, 0.2f / 1024);
-  std::fill_n(prepared.batch->lod[0], raster::kBatchStride, 0.5f);
+  const auto levels = std::make_unique<raster::SampleLevels>();
+  std::fill_n(levels->packed, raster::kBatchStride, levels_of(filter));
   alignas(64) float texels[4][raster::kBatchStride];
   for (auto _ : state) {
-    raster::sample_texture(*prepared.batch, 0, texels);
+    raster::sample_texture(*prepared.batch, 0, *levels, texels);
     benchmark::ClobberMemory();
   }
   report_pixels(state, raster::kBatchCapacity);

@@ -36,7 +36,7 @@ TEST(Fog, LiteralTable) {
 /// One fragment of a state with colour (4 varyings), secondary colour (3), fog (1) and coordinates (2).
 struct Fragment {
   FragmentState state;
-  std::unique_ptr<FragmentBatch> batch = std::make_unique<FragmentBatch>();
+  std::unique_ptr<reference::Fragment> batch = std::make_unique<reference::Fragment>();
 
   Fragment() {
     state.varyings.color = 0;
