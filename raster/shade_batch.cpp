@@ -13,6 +13,18 @@ bool reads_primary(const FragmentState& state) {
   return false;
 }
 
+/// One texture unit on the batch's colours. @return texels read.
+std::uint64_t apply_texture(TileWorkspace& workspace, int unit) {
+  FragmentBatch& batch = workspace.batch;
+  const TextureEnvMode mode = batch.state->texture_units[static_cast<std::size_t>(unit)].env_mode;
+  find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
+  if (mode == TextureEnvMode::replace) return sample_texture(batch, unit, workspace.levels, batch.color);
+  if (mode == TextureEnvMode::modulate) return modulate_by_texture(batch, unit, workspace.levels);
+  const std::uint64_t texels = sample_texture(batch, unit, workspace.levels, workspace.texel);
+  combine_texture(batch, unit, workspace.texel, workspace.primary);
+  return texels;
+}
+
 }  // namespace
 
 void shade_batch(TileWorkspace& workspace) {
@@ -26,12 +38,7 @@ void shade_batch(TileWorkspace& workspace) {
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_active(state, unit)) continue;
-    find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
-    const bool replaces =
-        state.texture_units[static_cast<std::size_t>(unit)].env_mode == TextureEnvMode::replace;
-    workspace.statistics.texel_fetches +=
-        sample_texture(batch, unit, workspace.levels, replaces ? batch.color : workspace.texel);
-    if (!replaces) combine_texture(batch, unit, workspace.texel, workspace.primary);
+    workspace.statistics.texel_fetches += apply_texture(workspace, unit);
   }
   workspace.clock.switch_to(Stage::write);
   write_fragments(batch, workspace.surface);

@@ -74,9 +74,6 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
   Rgba out = p;
   for (int c = 0; c < 3; ++c) {
     switch (unit.env_mode) {
-      case TextureEnvMode::modulate:
-        out.c[c] = hn::Mul(p.c[c], t.c[c]);
-        break;
       case TextureEnvMode::add:
         out.c[c] = hn::Add(p.c[c], t.c[c]);
         break;
@@ -88,7 +85,8 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
         break;
       }
-      case TextureEnvMode::replace:  // needs no combining: its texels are sampled straight into the colours
+      case TextureEnvMode::modulate:  // needs no combining, and neither does
+      case TextureEnvMode::replace:
       case TextureEnvMode::combine:
         break;
     }
@@ -101,8 +99,7 @@ void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[
                     const float (*primary)[kBatchStride]) {
   const F d;
   const TextureUnit& unit = batch.state->texture_units[static_cast<std::size_t>(unit_number)];
-  // A product of numbers in [0, 1] needs no clamping.
-  const bool clamp = batch.state->clamp_colors && unit.env_mode != TextureEnvMode::modulate;
+  const bool clamp = batch.state->clamp_colors;
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const Rgba previous = load(batch.color, i);
     const Rgba texture = load(texel, i);

@@ -39,8 +39,12 @@ void find_levels(const LodGroups& groups, int group_count, int unit, const Fragm
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
                              float (*texel)[kBatchStride]);
 
+/// Samples `unit`'s texture and multiplies the batch's colours by the texels: TextureEnvMode::modulate.
+/// @return texels read.
+std::uint64_t modulate_by_texture(FragmentBatch& batch, int unit, const SampleLevels& levels);
+
 /// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit. Not
-/// for TextureEnvMode::replace, whose texels are sampled straight into the colours.
+/// for TextureEnvMode::replace, whose texels are sampled straight into the colours, and not for modulate.
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]);
 

@@ -44,6 +44,9 @@ class SpanShader {
     interpolations_ = static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
     if (route_ == Route::smooth_blend_constant) blend_constant_ = BlendConstant(state.blend);
     color_is_replaced_ = color_is_replaced(state);
+    has_flat_colors_ = state.illumination.function == nullptr &&
+                       ((state.varyings.color == kAbsent && !color_is_replaced_) ||
+                        (state.varyings.specular == kAbsent && state.separate_specular));
     lod_units_ = 0;
     for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
       const bool needed =
@@ -241,7 +244,7 @@ class SpanShader {
       interpolate_varyings(span_, layout, begin, count, batch, at);
       if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
       if (lod_units_ != 0) append_lod(begin, count);
-      if (state.illumination.function == nullptr)
+      if (has_flat_colors_)
         fill_flat(flat_colors(*chunk_, *primitive_), state, color_is_replaced_, count, batch, at);
       batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
                                        static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
@@ -268,6 +271,7 @@ class SpanShader {
   bool writes_depth_now_ = true;
   bool is_set_up_ = false;
   bool color_is_replaced_ = false;
+  bool has_flat_colors_ = false;  ///< Colours that are the same for a whole primitive.
   unsigned lod_units_ = 0;  ///< Bit u: texture unit u is on and its filters ask for the level of detail.
   std::uint64_t interpolations_ = 0;  ///< Quantities a shaded fragment.
   BlendConstant blend_constant_{BlendState{}};

@@ -22,13 +22,15 @@ class TextureSampler {
         texture_(*batch.state->texture_units[number_].texture),
         levels_(levels) {}
 
-  std::uint64_t sample(float (*texel)[kBatchStride]) {
+  /// @return texels read.
+  template <bool kModulates>
+  std::uint64_t sample(float (*colors)[kBatchStride]) {
     const std::uint64_t texels = sum_up_levels();
     find_footprints();
     if (texture_.format() == TexelFormat::rgba8) {
-      filter<Texels8>(texel);
+      filter<Texels8, kModulates>(colors);
     } else {
-      filter<Texels16>(texel);
+      filter<Texels16, kModulates>(colors);
     }
     return texels;
   }
@@ -82,8 +84,8 @@ class TextureSampler {
   }
 
   /// Fetches the texels of one or two levels and filters them.
-  template <class Texels>
-  void filter(float (*texel)[kBatchStride]) const {
+  template <class Texels, bool kModulates>
+  void filter(float (*colors)[kBatchStride]) const {
     Texels lower, upper;
     lower.fetch(texture_.data(), lower_, batch_.count, any_linear_);
     if (any_blend_) upper.fetch(texture_.data(), upper_, batch_.count, any_linear_);
@@ -93,7 +95,7 @@ class TextureSampler {
         const Filtered above = any_linear_ ? upper.linear(upper_, i) : upper.nearest(i);
         f = mix(f, above, level_weight256(levels_, i));
       }
-      store_texels(f, Texels::kScale, texel, i);
+      store_texels<kModulates>(f, Texels::kScale, colors, i);
     }
   }
 
@@ -108,7 +110,11 @@ class TextureSampler {
 
 std::uint64_t SampleTexture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
                             float (*texel)[kBatchStride]) {
-  return TextureSampler(batch, unit, levels).sample(texel);
+  return TextureSampler(batch, unit, levels).sample<false>(texel);
+}
+
+std::uint64_t ModulateByTexture(FragmentBatch& batch, int unit, const SampleLevels& levels) {
+  return TextureSampler(batch, unit, levels).sample<true>(batch.color);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -118,10 +124,15 @@ HWY_AFTER_NAMESPACE();
 namespace barrido::raster {
 
 HWY_EXPORT(SampleTexture);
+HWY_EXPORT(ModulateByTexture);
 
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
                              float (*texel)[kBatchStride]) {
   return HWY_DYNAMIC_DISPATCH(SampleTexture)(batch, unit, levels, texel);
+}
+
+std::uint64_t modulate_by_texture(FragmentBatch& batch, int unit, const SampleLevels& levels) {
+  return HWY_DYNAMIC_DISPATCH(ModulateByTexture)(batch, unit, levels);
 }
 
 }  // namespace barrido::raster

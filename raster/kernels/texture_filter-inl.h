@@ -180,20 +180,24 @@ class Texels16 {
   alignas(64) std::uint32_t corner_[4][2 * kBatchStride];
 };
 
-/// 16-bit channels to floats: red, green, blue, alpha.
-HWY_INLINE void store_texels(const Filtered& f, float scale, float (*texel)[kBatchStride], int i) {
+/// 16-bit channels to floats in red, green, blue, alpha of the fragments from i on. kModulates: the colours
+/// that stand there are multiplied by them (OpenGL 1.3, table 3.22, GL_MODULATE).
+template <bool kModulates>
+HWY_INLINE void store_texels(const Filtered& f, float scale, float (*colors)[kBatchStride], int i) {
   const F d;
   const I di;
   const auto s = hn::Set(d, scale);
   const auto rb = as_u32(f.red_blue);
   const auto ga = as_u32(f.green_alpha);
   const auto low = hn::Set(U32(), 0xffffu);
-  const auto store = [&](hn::Vec<U32> v, float* to)
-                         HWY_ATTR { hn::Store(hn::Mul(hn::ConvertTo(d, hn::BitCast(di, v)), s), d, to + i); };
-  store(hn::And(rb, low), texel[0]);
-  store(hn::And(ga, low), texel[1]);
-  store(hn::ShiftRight<16>(rb), texel[2]);
-  store(hn::ShiftRight<16>(ga), texel[3]);
+  const auto store = [&](hn::Vec<U32> v, float* to) HWY_ATTR {
+    const auto texel = hn::Mul(hn::ConvertTo(d, hn::BitCast(di, v)), s);
+    hn::Store(kModulates ? hn::Mul(hn::Load(d, to + i), texel) : texel, d, to + i);
+  };
+  store(hn::And(rb, low), colors[0]);
+  store(hn::And(ga, low), colors[1]);
+  store(hn::ShiftRight<16>(rb), colors[2]);
+  store(hn::ShiftRight<16>(ga), colors[3]);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
