@@ -18,6 +18,7 @@
 #include "raster/kernels/kernels.h"
 #include "raster/kernels/planes-inl.h"
 #include "raster/kernels/spans-inl.h"
+#include "raster/kernels/tiny_triangles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
@@ -120,6 +121,37 @@ class SpanShader {
       if (!is_set_up_) set_up();
       return BlockPaint{planes_, flat, color, flat == nullptr && perspective && !span_.constant_q};
     });
+    workspace_.statistics.spans += counts.spans;
+    workspace_.statistics.fragments_covered += counts.covered;
+    count_shaded(static_cast<int>(counts.shaded));
+  }
+
+  /// Whether tiny triangles may be drawn pixel by pixel, unless the scissor cuts them.
+  bool takes_tiny() const {
+    const FragmentState& state = *chunk_->state;
+    return takes_blocks() && state.depth.test && state.depth.write && state.depth.compare == Compare::less &&
+           !state.polygon_offset.enabled && record_stride(state.varyings.count) == kTinyQuantities;
+  }
+  TinyPaint tiny_paint() const {
+    const VaryingLayout& layout = chunk_->state->varyings;
+    return {route_ == Route::flat, kRecordVaryings + layout.color, layout.color >= layout.affine_count};
+  }
+
+  /// Takes a tiny triangle of the coverage for a later draw_tiny().
+  HWY_INLINE void add_tiny(TinyTriangles& tiny, const TinyCoverage& coverage, std::size_t i) {
+    if (coverage.pixels(i) == 0) return;
+    const auto record = [&](int vertex) {
+      return chunk_->record(primitive_->vertex[vertex], kTinyQuantities);
+    };
+    tiny.add(coverage, i, record(0), record(1), record(2),
+             route_ == Route::flat ? flat_colors(*chunk_, *primitive_).color : nullptr);
+    if (tiny.is_full()) draw_tiny(tiny);
+  }
+
+  /// Draws and counts the tiny triangles that have been taken.
+  void draw_tiny(TinyTriangles& tiny) {
+    tiny.draw();
+    const TinyTriangles::Counts counts = tiny.take_counts();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
     count_shaded(static_cast<int>(counts.shaded));

@@ -44,6 +44,12 @@ inline ScissorBox scissor_in(const Scissor& scissor, const TileArea& tile) {
           relative(static_cast<std::int64_t>(scissor.y) + std::max(scissor.height, 0), tile.y, kTileHeight)};
 }
 
+/// Whether the scissor leaves less than the tile's part of the frame.
+inline bool cuts(const ScissorBox& scissor, const TileArea& tile) {
+  return scissor.x_begin > 0 || scissor.y_begin > 0 || scissor.x_end < tile.width ||
+         scissor.y_end < tile.height;
+}
+
 /// A triangle's spans in a tile: row r covers columns [first[r], end[r]) for r in [row_begin, row_end).
 struct TriangleSpans {
   int row_begin = 0;

@@ -109,12 +109,25 @@ class TileRasterizer {
     const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
     shader_.begin_chunk(chunk);
     const bool takes_blocks = chunk.topology == Topology::triangles && shader_.takes_blocks();
+    const bool takes_tiny = takes_blocks && shader_.takes_tiny() && !cuts(scissor, tile_);
     TriangleBlocks blocks(workspace_.surface, tile_, scissor, chunk.state->depth);
+    TinyCoverage coverage(tile_);
+    TinyTriangles tiny(workspace_.surface, tile_);
+    if (takes_tiny) tiny.begin_chunk(shader_.tiny_paint());
     const std::span<const std::uint16_t> numbers = primitives_of(binned);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       prefetch(chunk, numbers, i);
       const PrimitiveRecord& p = chunk.primitives[numbers[i]];
       shader_.begin_primitive(p);
+      if (takes_tiny) {
+        const std::size_t j = i % TinyCoverage::kTriangles;
+        if (j == 0) coverage.find(chunk, numbers.subspan(i));
+        if (coverage.is_tiny(j)) {
+          shader_.add_tiny(tiny, coverage, j);
+          continue;
+        }
+        shader_.draw_tiny(tiny);
+      }
       if (takes_blocks && draw_blocks(blocks, p)) continue;
       for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
         const int x_begin = std::max(first, scissor.x_begin);
@@ -128,14 +141,17 @@ class TileRasterizer {
       // A later primitive's depth test must see what the alpha test lets through.
       if (chunk.state->alpha_test.enabled) shader_.flush();
     }
+    shader_.draw_tiny(tiny);
   }
 
-  /// The records of primitives a little ahead, and their vertices', which stand anywhere in memory.
+  /// The records of primitives ahead, of which a vector are read at once, and the vertices of a nearer one,
+  /// which stand anywhere in memory.
   static HWY_INLINE void prefetch(const PrimitiveChunk& chunk, std::span<const std::uint16_t> numbers,
                                   std::size_t i) {
     constexpr std::size_t kAhead = 6;
-    if (i + 2 * kAhead >= numbers.size()) return;
-    hwy::Prefetch(&chunk.primitives[numbers[i + 2 * kAhead]]);
+    constexpr std::size_t kFarAhead = kAhead + TinyCoverage::kTriangles;
+    if (i + kFarAhead >= numbers.size()) return;
+    hwy::Prefetch(&chunk.primitives[numbers[i + kFarAhead]]);
     const PrimitiveRecord& next = chunk.primitives[numbers[i + kAhead]];
     const int stride = record_stride(chunk.state->varyings.count);
     for (const std::uint32_t vertex : next.vertex) hwy::Prefetch(chunk.record(vertex, stride));

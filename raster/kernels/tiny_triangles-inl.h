@@ -1,0 +1,260 @@
+// Tiny triangles, of some pixels each, as short lists that are worked off in simple loops: triangles become
+// planes, planes spans, spans pixels. What spans and blocks cost most for such triangles is guessing wrongly
+// where their loops end; here every list is long and its loop ends once. The same edges, anchors and planes
+// as spans have, so the same bits. Enters: triangles of one chunk with simple opaque colours, in drawing
+// order. Leaves: pixels and depth.
+#if defined(BARRIDO_TINY_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BARRIDO_TINY_TRIANGLES_INL_H
+#undef BARRIDO_TINY_TRIANGLES_INL_H
+#else
+#define BARRIDO_TINY_TRIANGLES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstring>
+#include <utility>
+
+#include "raster/kernels/lanes-inl.h"
+#include "raster/kernels/simd_math-inl.h"
+#include "raster/kernels/tiny_coverage-inl.h"
+#include "raster/tile.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace barrido::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Depth, q, a colour, and what fills a group of eight.
+inline constexpr int kTinyQuantities = 8;
+
+/// How the triangles of a chunk are coloured.
+struct TinyPaint {
+  bool is_flat;  ///< One colour a triangle.
+  int color;     ///< Else the four quantities from here on,
+  bool divides;  ///< divided by q.
+};
+
+class TinyTriangles {
+ public:
+  TinyTriangles(TileSurface& surface, const TileArea& tile) : surface_(surface), tile_(tile) {}
+
+  void begin_chunk(const TinyPaint& paint) { paint_ = paint; }
+
+  bool is_full() const { return triangle_count_ == kTriangles; }
+
+  /// Takes triangle `i` of `coverage`, whose vertex records are r0, r1 and r2. `flat` may be null unless the
+  /// chunk is flat.
+  void add(const TinyCoverage& coverage, std::size_t i, const float* r0, const float* r1, const float* r2,
+           const float* flat) {
+    Triangle& t = triangles_[triangle_count_];
+    const TriangleFrame frame = coverage.frame(i);
+    t.x0 = frame.x0;
+    t.y0 = frame.y0;
+    t.column = coverage.column(i);
+    t.row = coverage.row(i);
+    set_up(frame, r0, r1, r2, t);
+    if (paint_.is_flat) t.packed = pack_pixel(hn::LoadU(hn::FixedTag<float, 4>(), flat));
+    add_rows(coverage.pixels(i));
+    ++triangle_count_;
+  }
+
+  /// Counts of what draw() has drawn since they were last taken.
+  struct Counts {
+    std::size_t spans = 0, covered = 0, shaded = 0;
+  };
+  Counts take_counts() { return std::exchange(counts_, {}); }
+
+  /// Draws the triangles that were added.
+  void draw() {
+    if (triangle_count_ == 0) return;
+    start_spans();
+    if (paint_.is_flat) {
+      draw_flat_pixels();
+    } else if (paint_.divides) {
+      draw_smooth_pixels<true>();
+    } else {
+      draw_smooth_pixels<false>();
+    }
+    counts_.spans += row_count_;
+    counts_.covered += pixel_count_;
+    triangle_count_ = row_count_ = pixel_count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t kTriangles = 32;
+  static constexpr std::size_t kRows = kTriangles * kTinySide;
+  static constexpr std::size_t kPixels = kRows * kTinySide;
+
+  struct Triangle {
+    alignas(64) double base[kTinyQuantities];
+    alignas(64) double ddx[kTinyQuantities];
+    alignas(64) double ddy[kTinyQuantities];
+    alignas(64) float slope[kTinyQuantities];  ///< Along x.
+    double x0, y0;
+    std::int32_t column, row;  ///< Of its square.
+    std::int32_t packed;       ///< Its colour, if flat.
+  };
+  struct Span {
+    alignas(32) float values[kTinyQuantities];  ///< At its first pixel.
+    const float* slope;
+    std::int32_t at;  ///< Of the first pixel in the surface.
+    std::int32_t packed;
+  };
+  // A row: number of the triangle, row of its square, a bit for each covered column.
+  static constexpr int kTriangleShift = 16;
+  static constexpr int kRowShift = 8;
+  // A pixel: number of the span, column from the span's first on.
+  static constexpr int kSpanShift = 8;
+
+  /// As set_up_triangle, for so many quantities and no polygon offset.
+  static HWY_INLINE void set_up(const TriangleFrame& f, const float* r0, const float* r1, const float* r2,
+                                Triangle& t) {
+    const hn::CappedTag<double, kTinyQuantities> d;
+    const hn::Rebind<float, decltype(d)> df;
+    for (int i = 0; i < kTinyQuantities; i += static_cast<int>(hn::Lanes(d))) {
+      const auto v0 = hn::PromoteTo(d, hn::LoadU(df, r0 + i));
+      const auto e1 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r1 + i)), v0);
+      const auto e2 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r2 + i)), v0);
+      const auto inverse = hn::Set(d, f.inverse);
+      const auto ddx =
+          hn::Mul(hn::Sub(hn::Mul(e1, hn::Set(d, f.dy2)), hn::Mul(e2, hn::Set(d, f.dy1))), inverse);
+      const auto ddy =
+          hn::Mul(hn::Sub(hn::Mul(e2, hn::Set(d, f.dx1)), hn::Mul(e1, hn::Set(d, f.dx2))), inverse);
+      hn::Store(v0, d, t.base + i);
+      hn::Store(ddx, d, t.ddx + i);
+      hn::Store(ddy, d, t.ddy + i);
+      hn::Store(hn::DemoteTo(df, ddx), df, t.slope + i);
+    }
+  }
+
+  /// Lists the rows that have pixels.
+  HWY_INLINE void add_rows(std::uint64_t pixels) {
+    const hn::CappedTag<std::uint32_t, kTinySide> d;
+    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    alignas(64) static constexpr std::uint32_t kRowNumbers[kTinySide] = {0,
+                                                                         1 << kRowShift,
+                                                                         2 << kRowShift,
+                                                                         3 << kRowShift,
+                                                                         4 << kRowShift,
+                                                                         5 << kRowShift,
+                                                                         6 << kRowShift,
+                                                                         7 << kRowShift};
+    std::uint8_t columns[kTinySide];
+    std::memcpy(columns, &pixels, sizeof(pixels));
+    const auto triangle = hn::Set(d, static_cast<std::uint32_t>(triangle_count_ << kTriangleShift));
+    for (std::size_t r = 0; r < kTinySide; r += hn::Lanes(d)) {
+      const auto bits = hn::PromoteTo(d, hn::LoadU(d8, columns + r));
+      const auto entries = hn::Or(hn::Or(triangle, hn::Load(d, kRowNumbers + r)), bits);
+      const auto has_pixels = hn::Ne(bits, hn::Zero(d));
+      hn::StoreU(hn::Compress(entries, has_pixels), d, rows_ + row_count_);
+      row_count_ += hn::CountTrue(d, has_pixels);
+    }
+  }
+
+  /// Rows to spans: quantities at the first pixel, and the list of pixels. Entries past a span's end are
+  /// written, and written over by the next span.
+  HWY_INLINE void start_spans() {
+    const hn::CappedTag<std::uint32_t, kTinySide> d;
+    for (std::size_t s = 0; s < row_count_; ++s) {
+      const std::uint32_t entry = rows_[s];
+      const Triangle& t = triangles_[entry >> kTriangleShift];
+      const std::uint32_t columns = entry & ((1u << kRowShift) - 1);
+      const int column = t.column + __builtin_ctz(columns);
+      const int row = t.row + static_cast<int>(entry >> kRowShift & (kTinySide - 1));
+      Span& span = spans_[s];
+      evaluate(t, tile_.x + column, tile_.y + row, span.values);
+      span.slope = t.slope;
+      span.packed = t.packed;
+      span.at = row * kTileWidth + column;
+      const auto first = hn::Set(d, static_cast<std::uint32_t>(s << kSpanShift));
+      for (std::size_t i = 0; i < kTinySide; i += hn::Lanes(d)) {
+        hn::StoreU(hn::Add(first, hn::Load(d, kColumnNumbers + i)), d, pixels_ + pixel_count_ + i);
+      }
+      pixel_count_ += static_cast<std::size_t>(__builtin_popcount(columns));
+    }
+  }
+
+  /// As evaluate_row.
+  static HWY_INLINE void evaluate(const Triangle& t, int x, int y, float* values) {
+    const hn::CappedTag<double, kTinyQuantities> d;
+    const hn::Rebind<float, decltype(d)> df;
+    const auto dx = hn::Set(d, (x + 0.5) - t.x0);
+    const auto dy = hn::Set(d, (y + 0.5) - t.y0);
+    for (int i = 0; i < kTinyQuantities; i += static_cast<int>(hn::Lanes(d))) {
+      const auto along_x = hn::Add(hn::Load(d, t.base + i), hn::Mul(hn::Load(d, t.ddx + i), dx));
+      const auto value = hn::Add(along_x, hn::Mul(hn::Load(d, t.ddy + i), dy));
+      hn::Store(hn::DemoteTo(df, value), df, values + i);
+    }
+  }
+
+  /// Depth test of one pixel. @return whether it is seen; then its depth has been written.
+  HWY_INLINE bool test_pixel(const Span& span, float k, std::int32_t at) {
+    float z = span.values[kRecordDepth] + span.slope[kRecordDepth] * k;
+    z = z > 0.0f ? z : 0.0f;
+    z = z < 1.0f ? z : 1.0f;
+    if (!(z < surface_.depth[at])) return false;
+    surface_.depth[at] = z;
+    return true;
+  }
+
+  void draw_flat_pixels() {
+    for (std::size_t i = 0; i < pixel_count_; ++i) {
+      const Span& span = spans_[pixels_[i] >> kSpanShift];
+      const std::uint32_t column = pixels_[i] & (kTinySide - 1);
+      const std::int32_t at = span.at + static_cast<std::int32_t>(column);
+      if (!test_pixel(span, LaneNumberTable<float>::kNumbers[column], at)) continue;
+      ++counts_.shaded;
+      surface_.color8[at] = static_cast<std::uint32_t>(span.packed);
+    }
+  }
+
+  template <bool kDivides>
+  void draw_smooth_pixels() {
+    const hn::FixedTag<float, 4> d;
+    for (std::size_t i = 0; i < pixel_count_; ++i) {
+      const Span& span = spans_[pixels_[i] >> kSpanShift];
+      const std::uint32_t column = pixels_[i] & (kTinySide - 1);
+      const std::int32_t at = span.at + static_cast<std::int32_t>(column);
+      const float k = LaneNumberTable<float>::kNumbers[column];
+      if (!test_pixel(span, k, at)) continue;
+      ++counts_.shaded;
+      auto color = hn::Add(hn::LoadU(d, span.values + paint_.color),
+                           hn::Mul(hn::LoadU(d, span.slope + paint_.color), hn::Set(d, k)));
+      if constexpr (kDivides) {
+        const float q = span.values[kRecordQ] + span.slope[kRecordQ] * k;
+        color = hn::Mul(color, hn::Set(d, 1.0f / (q > kSmallestQ ? q : kSmallestQ)));
+      }
+      surface_.color8[at] = static_cast<std::uint32_t>(pack_pixel(color));
+    }
+  }
+
+  /// Four channels of one pixel, packed as pack8 packs vectors of pixels.
+  static HWY_INLINE std::int32_t pack_pixel(hn::Vec<hn::FixedTag<float, 4>> color) {
+    const hn::FixedTag<float, 4> d;
+    const hn::FixedTag<std::uint8_t, 16> d8;
+    alignas(16) static constexpr std::uint8_t kLowBytes[16] = {0, 4, 8, 12, 0, 4, 8, 12,
+                                                               0, 4, 8, 12, 0, 4, 8, 12};
+    const auto unit = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(color, hn::Zero(d)),
+                                                      hn::Set(d, 1.0f));
+    const auto rounded = hn::Add(hn::Mul(unit, hn::Set(d, 255.0f)), hn::Set(d, 8388608.0f));
+    const auto bytes = hn::TableLookupBytes(hn::BitCast(d8, rounded), hn::Load(d8, kLowBytes));
+    return hn::GetLane(hn::BitCast(hn::FixedTag<std::int32_t, 4>(), bytes));
+  }
+
+  alignas(64) static constexpr std::uint32_t kColumnNumbers[kTinySide] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+  TileSurface& surface_;
+  const TileArea tile_;
+  TinyPaint paint_{};
+  Counts counts_;
+  std::size_t triangle_count_ = 0, row_count_ = 0, pixel_count_ = 0;
+  Triangle triangles_[kTriangles];
+  Span spans_[kRows];
+  std::uint32_t rows_[kRows + kTinySide];
+  std::uint32_t pixels_[kPixels + kTinySide];
+};
+
+}  // namespace barrido::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
