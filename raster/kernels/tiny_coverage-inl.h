@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Columns and rows of a tiny triangle at most.
 inline constexpr int kTinySide = 8;
 /// Its area in pixels at most: larger ones fill vectors better in blocks.
-inline constexpr int kTinyArea = 12;
+inline constexpr int kTinyArea = 16;
 
 class TinyCoverage {
  public:
