@@ -107,7 +107,7 @@ TEST(SceneGenerator, CoversEveryState) {
                                                        {"combine alpha", 6},
                                                        {"combine source and operand", 16}};
   for (const auto& [what, count] : expected) EXPECT_EQ(seen[what].size(), count) << what;
-  EXPECT_EQ(shapes.size(), 9u);
+  EXPECT_EQ(shapes.size(), 10u);
 }
 
 TEST(SceneGenerator, ASeedMeansTheSameScene) {

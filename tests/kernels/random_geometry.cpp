@@ -33,7 +33,7 @@ class GeometryBuilder {
     }
     if (chunk_.topology == Topology::points) return points();
     if (chunk_.topology == Topology::lines) return lines();
-    switch (random_.between(0, 6)) {
+    switch (random_.between(0, 7)) {
       case 0:
         return scattered(random_.between(1, 40), "scattered");
       case 1:
@@ -41,11 +41,13 @@ class GeometryBuilder {
       case 2:
         return mesh(random_.pick({40, 100, 200}), "sub-pixel mesh");
       case 3:
-        return mesh(random_.pick({1000, 3000, 9000}), "mesh");
+        return mesh(random_.pick({400, 700, 1000, 1600, 3000, 9000}), "mesh");
       case 4:
         return full_screen_quads();
       case 5:
         return giants();
+      case 6:
+        return confetti();
       default:
         return repeated();
     }
@@ -107,6 +109,9 @@ class GeometryBuilder {
             std::clamp(p.y + random_.between(-reach_units, reach_units), -kLimit, kLimit)};
   }
 
+  /// The nearest position that `grid` divides: edges and corners that meet pixel centres, for half pixels.
+  static Position snapped(Position p, int grid) { return {p.x / grid * grid, p.y / grid * grid}; }
+
   void add_primitive(std::initializer_list<Position> positions,
                      std::initializer_list<std::uint32_t> vertices) {
     PrimitiveRecord record{};
@@ -137,6 +142,18 @@ class GeometryBuilder {
     return name;
   }
 
+  /// Triangles of all sizes on top of each other, many at equal depths.
+  std::string confetti() {
+    const Position middle = anywhere(0);
+    for (int k = random_.between(5, 150); k > 0; --k) {
+      const Position at = near(middle, 3000);
+      const int size = random_.pick({200, 500, 500, 1000, 4000, 12000});
+      const Position b = near(at, size);
+      add_triangle(at, b, near(at, size));
+    }
+    return "confetti";
+  }
+
   std::string slivers() {
     for (int k = random_.between(5, 60); k > 0; --k) {
       const Position a = anywhere(20);
@@ -152,12 +169,13 @@ class GeometryBuilder {
     const int columns = std::min(24, options_.frame_width * kSubpixelUnits / cell + 2);
     const int rows = std::min(24, options_.frame_height * kSubpixelUnits / cell + 2);
     const Position origin = anywhere(2);
+    const int grid = random_.pick({1, 1, kSubpixelUnits / 2});
     std::vector<Position> positions;
     std::vector<std::uint32_t> vertices;
     primitive_depth_ = random_depth();
     for (int j = 0; j <= rows; ++j) {
       for (int i = 0; i <= columns; ++i) {
-        positions.push_back(near({origin.x + i * cell, origin.y + j * cell}, cell / 3));
+        positions.push_back(snapped(near({origin.x + i * cell, origin.y + j * cell}, cell / 3), grid));
         vertices.push_back(add_vertex());
       }
     }

@@ -36,6 +36,7 @@ RandomScene make_random_scene(std::uint64_t seed, const TexturePool& textures, c
   RandomBits random(seed);
   RandomScene scene;
   scene.frame = random_frame(random);
+  if (options.simple) scene.frame.format = ColorFormat::rgba8;
   scene.clear = {random.color(0.0f, 1.0f), random.pick({1.0f, 1.0f, 0.5f, 0.0f})};
   // Tenths are half-way between two bytes.
   if (random.chance(50)) {
@@ -44,8 +45,10 @@ RandomScene make_random_scene(std::uint64_t seed, const TexturePool& textures, c
   const bool mostly_opaque = random.chance(60);
   for (int states = random.between(1, 6); states > 0; --states) {
     const bool opaque = random.chance(mostly_opaque ? 85 : 20);
+    const auto [width, height] = std::pair(scene.frame.width, scene.frame.height);
     scene.states.push_back(std::make_unique<FragmentState>(
-        random_state(random, textures, opaque, scene.frame.width, scene.frame.height)));
+        options.simple ? random_simple_state(random, width, height)
+                       : random_state(random, textures, opaque, width, height)));
     for (int chunks = random.between(1, 3); chunks > 0; --chunks) {
       PrimitiveChunk chunk;
       chunk.state = scene.states.back().get();

@@ -25,6 +25,8 @@ struct RandomScene {
 struct SceneOptions {
   /// Some vertices carry numbers at the limits of what the rasterizer accepts, 1/w of any sign among them.
   bool hostile = false;
+  /// Only states whose fragments go straight to an 8-bit surface.
+  bool simple = false;
 };
 
 RandomScene make_random_scene(std::uint64_t seed, const TexturePool& textures,

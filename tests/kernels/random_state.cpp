@@ -156,6 +156,28 @@ FragmentState random_state(RandomBits& random, const TexturePool& textures, bool
   return state;
 }
 
+FragmentState random_simple_state(RandomBits& random, int frame_width, int frame_height) {
+  FragmentState state;
+  if (random.chance(65)) {
+    state.varyings.color = 0;
+    state.varyings.count = 4;
+    state.varyings.affine_count = random.chance(30) ? 4 : 0;
+  }
+  random_tests(random, frame_width, frame_height, state);
+  if (random.chance(70)) state.depth = {true, true, Compare::less};
+  if (random.chance(70)) state.polygon_offset.enabled = false;
+  state.clamp_colors = random.chance(80);
+  if (random.chance(70)) return state;
+  state.blend.enabled = true;
+  state.blend.constant = random.color(0.0f, 1.0f);
+  const bool constant = random.chance(50);
+  state.blend.src_rgb = state.blend.src_alpha =
+      constant ? BlendFactor::constant_alpha : BlendFactor::src_alpha;
+  state.blend.dst_rgb = state.blend.dst_alpha =
+      constant ? BlendFactor::one_minus_constant_alpha : BlendFactor::one_minus_src_alpha;
+  return state;
+}
+
 std::string describe(const FragmentState& s) {
   std::string text =
       "varyings=" + std::to_string(s.varyings.count) + " affine=" + std::to_string(s.varyings.affine_count) +

@@ -13,6 +13,10 @@ namespace barrido::raster::testing {
 FragmentState random_state(RandomBits& random, const TexturePool& textures, bool opaque, int frame_width,
                            int frame_height);
 
+/// Colours alone, flat or interpolated, opaque or blended in one of the usual ways, mostly with the usual
+/// depth test: the states whose fragments go straight to the 8-bit surface.
+FragmentState random_simple_state(RandomBits& random, int frame_width, int frame_height);
+
 /// One line for messages.
 std::string describe(const FragmentState& state);
 
