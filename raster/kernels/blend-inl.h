@@ -169,17 +169,24 @@ HWY_INLINE auto pack8(const Rgba& color) {
   return pack8_unit({{clamp01(color.c[0]), clamp01(color.c[1]), clamp01(color.c[2]), clamp01(color.c[3])}});
 }
 
+/// The byte kByte of each lane, as an integer.
+template <int kByte, class VI>
+HWY_INLINE VI byte_of(VI packed) {
+  const hn::RebindToSigned<F> di;
+  const hn::Repartition<std::uint8_t, decltype(di)> d8;
+  alignas(16) static constexpr std::uint8_t kFrom[16] = {kByte,      0x80, 0x80,      0x80, kByte + 4, 0x80,
+                                                         0x80,       0x80, kByte + 8, 0x80, 0x80,      0x80,
+                                                         kByte + 12, 0x80, 0x80,      0x80};
+  return hn::BitCast(di, hn::TableLookupBytesOr0(hn::BitCast(d8, packed), hn::LoadDup128(d8, kFrom)));
+}
+
 template <class VI>
 HWY_INLINE Rgba unpack8(VI packed) {
   const F d;
-  const hn::RebindToSigned<F> di;
-  const hn::RebindToUnsigned<decltype(di)> du;
   const auto channel = [&](auto byte)
                            HWY_ATTR { return hn::Mul(hn::ConvertTo(d, byte), hn::Set(d, 1.0f / 255.0f)); };
-  const auto low = [&](auto shifted) HWY_ATTR { return hn::And(shifted, hn::Set(di, 255)); };
-  const auto highest = hn::BitCast(di, hn::ShiftRight<24>(hn::BitCast(du, packed)));
-  return {{channel(low(packed)), channel(low(hn::ShiftRight<8>(packed))),
-           channel(low(hn::ShiftRight<16>(packed))), channel(highest)}};
+  return {{channel(byte_of<0>(packed)), channel(byte_of<1>(packed)), channel(byte_of<2>(packed)),
+           channel(byte_of<3>(packed))}};
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

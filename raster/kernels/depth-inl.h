@@ -126,8 +126,8 @@ struct DepthRule {
 /// The usual one: `less`, with writing, of depths that need no clamping.
 struct UsualDepthRule {};
 
-/// Tests columns [begin, end) of a row and calls passed(x, mask) for each vector of pixels; writes
-/// the depth where the test passes.
+/// Tests columns [begin, end) of a row and calls passed(x, mask, column) for each vector of pixels, where
+/// `column` are the columns as numbers from the anchor on; writes the depth where the test passes.
 template <class Rule, class Passed>
 HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& depth, int begin, int end,
                            Passed&& passed) {
@@ -137,8 +137,9 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
   const auto slope = hn::Set(d, depth.slope);
   int x = first_vector(begin, end, lanes);
   auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
+  const auto all = barrido::HWY_NAMESPACE::lanes_below(d, lanes);
   for (; x < end; x += lanes) {
-    auto mask = columns_mask(d, x, begin, end);
+    auto mask = x >= begin && x + lanes <= end ? all : columns_mask(d, x, begin, end);
     auto z = hn::Add(row, hn::Mul(slope, column));
     const auto stored = hn::LoadU(d, depth_row + x);
     if constexpr (std::is_same_v<Rule, UsualDepthRule>) {
@@ -149,8 +150,8 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
       mask = hn::And(mask, rule(z, stored));
       hn::BlendedStore(z, hn::And(mask, rule.write), d, depth_row + x);
     }
+    passed(x, mask, column);
     column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact
-    passed(x, mask);
   }
 }
 

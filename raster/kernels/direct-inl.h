@@ -51,7 +51,7 @@ class FlatPixels {
       : packed_(pack8({{hn::Set(F(), color[0]), hn::Set(F(), color[1]), hn::Set(F(), color[2]),
                         hn::Set(F(), color[3])}})) {}
 
-  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask) const {
+  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask, V) const {
     const hn::RebindToSigned<F> di;
     hn::BlendedStore(packed_, hn::RebindMask(di, mask), di, row + x);
   }
@@ -85,11 +85,10 @@ class SmoothPixels {
     return layout.color >= layout.affine_count && !span.constant_q;
   }
 
-  /// The vector of pixels from column x on.
-  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask) const {
+  /// The vector of pixels from column x on, which are `k` columns from the anchor.
+  HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask, V k) const {
     const F d;
     const hn::RebindToSigned<F> di;
-    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - span_.anchor));
     const auto linear = [&](int quantity) HWY_ATTR {
       return hn::Add(hn::Set(d, span_.row[quantity]),
                      hn::Mul(hn::Set(d, span_.planes->slope_x[quantity]), k));

@@ -84,7 +84,8 @@ class SpanShader {
       const Pixels to = row_pixels(row);
       const int lanes = static_cast<int>(hn::Lanes(d));
       for (int x = first_vector(begin, end, lanes); x < end; x += lanes) {
-        pixels(to, x, columns_mask(d, x, begin, end));
+        pixels(to, x, columns_mask(d, x, begin, end),
+               barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - span_.anchor)));
       }
     });
   }
@@ -100,10 +101,11 @@ class SpanShader {
       const Pixels to = row_pixels(row);
       test_depth(
           state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
-          end, [&](int x, auto mask) HWY_ATTR __attribute__((always_inline)) {
-            if (hn::AllFalse(d, mask)) return;
-            passed += hn::CountTrue(d, mask);
-            pixels(to, x, mask);
+          end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
+            const std::size_t here = hn::CountTrue(d, mask);
+            if (here == 0) return;
+            passed += here;
+            pixels(to, x, mask, column);
           });
     });
     count_shaded(static_cast<int>(passed));
@@ -235,7 +237,7 @@ class SpanShader {
     int vectors = 0;
     test_depth(
         chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
-        x_begin, x_end, [&](int x, auto mask) HWY_ATTR __attribute__((always_inline)) {
+        x_begin, x_end, [&](int x, auto mask, auto) HWY_ATTR __attribute__((always_inline)) {
           if (vectors == 0) first_column = x;
           passed[vectors++] = mask_bits(d, mask);
           all = all && hn::AllTrue(d, hn::Or(mask, hn::Not(columns_mask(d, x, x_begin, x_end))));

@@ -158,7 +158,7 @@ class VisibilityPass {
       const auto mark = hn::Set(du, span_mark(number, row));
       std::uint32_t* marks = workspace_.surface.visible_span + row * kTileWidth;
       test_depth(state, state.write, workspace_.surface.depth + row * kTileWidth, depth, begin, end,
-                 [&](int x, auto mask)
+                 [&](int x, auto mask, auto)
                      HWY_ATTR { hn::BlendedStore(mark, hn::RebindMask(du, mask), du, marks + x); });
     });
   }
