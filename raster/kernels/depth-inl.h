@@ -129,13 +129,13 @@ struct UsualDepthRule {};
 /// Tests columns [begin, end) of a row and calls passed(x, mask, column) for each vector of pixels, where
 /// `column` are the columns as numbers from the anchor on; writes the depth where the test passes.
 template <class Rule, class Passed>
-HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& depth, int begin, int end,
-                           Passed&& passed) {
+HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& depth, int start, int begin,
+                           int end, Passed&& passed) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto row = hn::Set(d, depth.row);
   const auto slope = hn::Set(d, depth.slope);
-  int x = first_vector(begin, end, lanes);
+  int x = start;
   auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
   const auto all = barrido::HWY_NAMESPACE::lanes_below(d, lanes);
   for (; x < end; x += lanes) {
@@ -155,13 +155,14 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
   }
 }
 
+/// `start` is the column of the first vector: at most `begin`, which it need not be.
 template <class Passed>
 HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
-                           int begin, int end, Passed&& passed) {
+                           int start, int begin, int end, Passed&& passed) {
   if (state.test && state.compare == Compare::less && write && within_unit(depth, begin, end)) {
-    test_depth(UsualDepthRule(), depth_row, depth, begin, end, passed);
+    test_depth(UsualDepthRule(), depth_row, depth, start, begin, end, passed);
   } else {
-    test_depth(DepthRule(state, write), depth_row, depth, begin, end, passed);
+    test_depth(DepthRule(state, write), depth_row, depth, start, begin, end, passed);
   }
 }
 

@@ -31,27 +31,34 @@ struct InterpolatedSpan {
   alignas(64) float row[kMaxQuantities];
 };
 
-/// Varyings of `count` pixels from column x on, into the batch's arrays from fragment `at` on.
+/// Varyings of a vector of pixels, which are `k` columns from the anchor, into the batch's arrays from
+/// fragment `at` on.
+template <class D>
+HWY_INLINE void interpolate_vector(D d, const InterpolatedSpan& span, const VaryingLayout& layout,
+                                   hn::Vec<D> k, FragmentBatch& batch, int at) {
+  const float* slope = span.planes->slope_x;
+  const int perspective_from = span.constant_q ? layout.count : layout.affine_count;
+  const auto linear = [&](int quantity) HWY_ATTR {
+    return hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, slope[quantity]), k));
+  };
+  for (int v = 0; v < perspective_from; ++v) {
+    hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at);
+  }
+  if (perspective_from == layout.count) return;
+  const auto q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
+  const auto w = hn::Div(hn::Set(d, 1.0f), q);
+  for (int v = perspective_from; v < layout.count; ++v) {
+    hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at);
+  }
+}
+
+/// Varyings of `count` pixels from column x on.
 template <class D>
 HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const VaryingLayout& layout, int x,
                                      int count, FragmentBatch& batch, int at) {
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const float* slope = span.planes->slope_x;
-  const int perspective_from = span.constant_q ? layout.count : layout.affine_count;
-  for (int i = 0; i < count; i += lanes) {
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
-    const auto linear = [&](int quantity) HWY_ATTR {
-      return hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, slope[quantity]), k));
-    };
-    for (int v = 0; v < perspective_from; ++v) {
-      hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at + i);
-    }
-    if (perspective_from == layout.count) continue;
-    const auto q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
-    const auto w = hn::Div(hn::Set(d, 1.0f), q);
-    for (int v = perspective_from; v < layout.count; ++v) {
-      hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at + i);
-    }
+    interpolate_vector(d, span, layout, k, batch, at + i);
   }
 }
 

@@ -100,7 +100,8 @@ class SpanShader {
     with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       test_depth(
-          state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(), begin,
+          state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
+          first_vector(begin, end, static_cast<int>(hn::Lanes(d))), begin,
           end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
             const std::size_t here = hn::CountTrue(d, mask);
             if (here == 0) return;
@@ -227,23 +228,29 @@ class SpanShader {
     is_set_up_ = true;
   }
 
-  /// Tests the span's depth and appends the runs of pixels that pass.
+  /// Tests the span's depth and appends the runs of pixels that pass. Mostly that is all of them, so their
+  /// varyings are interpolated as they are tested.
   void append_passing(int row, int x_begin, int x_end) {
     const hn::ScalableTag<float> d;
     const int lanes = static_cast<int>(hn::Lanes(d));
+    FragmentBatch& batch = workspace_.batch;
+    if (batch.count + (x_end - x_begin) > kBatchCapacity) flush();
+    const int at = batch.count;
     std::uint32_t passed[kTileWidth / 4];  // bits of a vector each, lane 0 lowest
-    bool all = true;
-    int first_column = x_begin;
     int vectors = 0;
+    bool all = true;
     test_depth(
         chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
-        x_begin, x_end, [&](int x, auto mask, auto) HWY_ATTR __attribute__((always_inline)) {
-          if (vectors == 0) first_column = x;
-          passed[vectors++] = mask_bits(d, mask);
-          all = all && hn::AllTrue(d, hn::Or(mask, hn::Not(columns_mask(d, x, x_begin, x_end))));
+        x_begin, x_begin, x_end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
+          const std::uint32_t bits = mask_bits(d, mask);
+          passed[vectors++] = bits;
+          all = all && bits == (1u << std::min(x_end - x, lanes)) - 1;
+          if (all) {
+            interpolate_vector(d, span_, batch.state->varyings, column, batch, at + (x - x_begin));
+          }
         });
-    if (all) return append(row, x_begin, x_end);
-    append_runs(row, first_column, x_end, passed, lanes);
+    if (all) return append_interpolated(row, x_begin, x_end);
+    append_runs(row, x_begin, x_end, passed, lanes);
   }
 
   /// `bits` are the pixels that passed, `lanes` in each number, from column x on.
@@ -270,22 +277,28 @@ class SpanShader {
   /// Appends columns [begin, end) of the current span to the batch.
   void append(int row, int begin, int end) {
     FragmentBatch& batch = workspace_.batch;
-    const FragmentState& state = *batch.state;
-    const VaryingLayout& layout = state.varyings;
     while (begin < end) {
-      const int at = batch.count;
-      const int count = std::min(end - begin, kBatchCapacity - at);
-      interpolate_varyings(span_, layout, begin, count, batch, at);
-      if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
-      if (lod_units_ != 0) append_lod(begin, count);
-      if (has_flat_colors_)
-        fill_flat(flat_colors(*chunk_, *primitive_), state, color_is_replaced_, count, batch, at);
-      batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
-                                       static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
-      batch.count = at + count;
+      const int count = std::min(end - begin, kBatchCapacity - batch.count);
+      interpolate_varyings(span_, batch.state->varyings, begin, count, batch, batch.count);
+      append_interpolated(row, begin, begin + count);
       begin += count;
-      if (batch.count == kBatchCapacity) flush();
     }
+  }
+
+  /// The same for columns whose varyings are in the batch already, which has room for them.
+  void append_interpolated(int row, int begin, int end) {
+    FragmentBatch& batch = workspace_.batch;
+    const FragmentState& state = *batch.state;
+    const int at = batch.count;
+    const int count = end - begin;
+    if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
+    if (lod_units_ != 0) append_lod(begin, count);
+    if (has_flat_colors_)
+      fill_flat(flat_colors(*chunk_, *primitive_), state, color_is_replaced_, count, batch, at);
+    batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
+                                     static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
+    batch.count = at + count;
+    if (batch.count == kBatchCapacity) flush();
   }
 
   void append_lod(int begin, int count) {

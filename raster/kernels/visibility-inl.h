@@ -157,7 +157,8 @@ class VisibilityPass {
     for_each_row(primitive, [&](int row, int begin, int end, const SpanDepth& depth) HWY_ATTR {
       const auto mark = hn::Set(du, span_mark(number, row));
       std::uint32_t* marks = workspace_.surface.visible_span + row * kTileWidth;
-      test_depth(state, state.write, workspace_.surface.depth + row * kTileWidth, depth, begin, end,
+      const int start = first_vector(begin, end, static_cast<int>(hn::Lanes(du)));
+      test_depth(state, state.write, workspace_.surface.depth + row * kTileWidth, depth, start, begin, end,
                  [&](int x, auto mask, auto)
                      HWY_ATTR { hn::BlendedStore(mark, hn::RebindMask(du, mask), du, marks + x); });
     });
