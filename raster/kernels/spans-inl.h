@@ -218,7 +218,44 @@ inline bool triangle_box(const PrimitiveRecord& p, const TileArea& tile, Triangl
   return box.column_begin < box.column_end && box.row_begin < box.row_end;
 }
 
-/// @return false when the triangle has no area or no row in the tile.
+/// How much of a box of pixels a triangle covers.
+enum class Cover : std::uint8_t { none, some, all };
+
+/// By the edge functions at the box's corners. `none` and `all` are certain; `some` may turn out to be none.
+inline Cover cover_of(const PrimitiveRecord& p, bool clockwise, const TriangleBox& box,
+                      const TileArea& tile) {
+  const int corner[4] = {0, clockwise ? 2 : 1, clockwise ? 1 : 2, 0};
+  const std::int64_t x = (tile.x + box.column_begin) * kSubpixelUnits + kSubpixelUnits / 2;
+  const std::int64_t y = (tile.y + box.row_begin) * kSubpixelUnits + kSubpixelUnits / 2;
+  const std::int64_t width = (box.column_end - box.column_begin - 1) * kSubpixelUnits;
+  const std::int64_t height = (box.row_end - box.row_begin - 1) * kSubpixelUnits;
+  Cover cover = Cover::all;
+  for (int e = 0; e < 3; ++e) {
+    const std::int64_t ax = p.x[corner[e]];
+    const std::int64_t ay = p.y[corner[e]];
+    const std::int64_t dx = p.x[corner[e + 1]] - ax;
+    const std::int64_t dy = p.y[corner[e + 1]] - ay;
+    const bool owns_centres = dy < 0 || (dy == 0 && dx > 0);
+    const std::int64_t value = dx * (y - ay) - dy * (x - ax) - (owns_centres ? 0 : 1);
+    const std::int64_t along_x = -dy * width;
+    const std::int64_t along_y = dx * height;
+    const std::int64_t zero = 0;
+    if (value + std::max(along_x, zero) + std::max(along_y, zero) < 0) return Cover::none;
+    if (value + std::min(along_x, zero) + std::min(along_y, zero) < 0) cover = Cover::some;
+  }
+  return cover;
+}
+
+/// All rows from one end of the box to the other.
+HWY_INLINE void whole_box_spans(const TriangleBox& box, TriangleSpans& spans) {
+  const hn::ScalableTag<std::int32_t> di;
+  for (int r = box.row_begin; r < box.row_end; r += static_cast<int>(hn::Lanes(di))) {
+    hn::StoreU(hn::Set(di, box.column_begin), di, spans.first + r);
+    hn::StoreU(hn::Set(di, box.column_end), di, spans.end + r);
+  }
+}
+
+/// @return false when the triangle has no pixels in the tile; true does not say that it has.
 HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
   const std::int64_t area = signed_area(p);
   TriangleBox box;
@@ -228,6 +265,12 @@ HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, T
   const hn::ScalableTag<std::int32_t> di;
   if (box.is_small && box.column_end - box.column_begin <= static_cast<int>(hn::Lanes(di))) {
     small_triangle_spans(p, area < 0, box.column_begin, tile, spans);
+    return true;
+  }
+  const Cover cover = box.is_small ? Cover::some : cover_of(p, area < 0, box, tile);
+  if (cover == Cover::none) return false;
+  if (cover == Cover::all) {
+    whole_box_spans(box, spans);
   } else {
     large_triangle_spans(p, tile, spans);
   }
