@@ -55,6 +55,7 @@ class TriangleBlocks {
   TriangleBlocks(TileSurface& surface, const TileArea& tile, const ScissorBox& scissor,
                  const DepthState& state)
       : surface_(surface), tile_(tile), scissor_(scissor), rule_(state, state.write) {
+    is_cut_ = cuts(scissor, tile);
     is_usual_ = state.test && state.write && state.compare == Compare::less;
   }
 
@@ -208,7 +209,7 @@ class TriangleBlocks {
     bool is_ready = false;
     RowValues row_values;
     for (int x = box.column_begin, block = 0; x < box.column_end; x += kBlockColumns, ++block) {
-      auto mask = hn::RebindMask(d, hn::And(mask_[block], in_scissor(x)));
+      auto mask = hn::RebindMask(d, is_cut_ ? hn::And(mask_[block], in_scissor(x)) : mask_[block]);
       if (hn::AllFalse(d, mask)) continue;
       const V k = hn::ConvertTo(d, hn::Sub(hn::Add(column, hn::Set(di, x)), first_));
       V z = hn::Add(z_row, hn::Mul(z_slope, k));
@@ -277,6 +278,7 @@ class TriangleBlocks {
   const ScissorBox scissor_;
   const DepthRule rule_;
   bool is_usual_;
+  bool is_cut_;  ///< By the scissor.
   EdgeFunction edge_[3];
   VecI start_[3];  ///< Edge functions at the first block of the next rows.
   VecI first_;     ///< First column of each row, kTileWidth where there is none.
