@@ -103,16 +103,19 @@ class TriangleBlocks {
     auto v1 = start_[1];
     auto v2 = start_[2];
     auto first = hn::Set(di, kTileWidth);
+    auto columns = hn::Add(column, hn::Set(di, box.column_begin));
+    const auto end = hn::Set(di, box.column_end);
     bool any = false;
     for (int x = box.column_begin, block = 0; x < box.column_end; x += kBlockColumns, ++block) {
       const auto inside = hn::Gt(hn::Or(hn::Or(v0, v1), v2), hn::Set(di, -1));
-      const auto in_box = hn::And(in_rows, hn::Lt(column, hn::Set(di, box.column_end - x)));
+      const auto in_box = hn::And(in_rows, hn::Lt(columns, end));
       const auto mask = hn::And(inside, in_box);
       mask_[block] = mask;
       const auto number = static_cast<unsigned>(hn::CountTrue(di, mask));
       counts_.covered += number;
       any |= number != 0;
-      first = hn::Min(first, hn::IfThenElse(mask, hn::Add(column, hn::Set(di, x)), hn::Set(di, kTileWidth)));
+      first = hn::Min(first, hn::IfThenElse(mask, columns, hn::Set(di, kTileWidth)));
+      columns = hn::Add(columns, hn::Set(di, kBlockColumns));
       v0 = hn::Add(v0, hn::Set(di, kBlockColumns * edge_[0].step_x));
       v1 = hn::Add(v1, hn::Set(di, kBlockColumns * edge_[1].step_x));
       v2 = hn::Add(v2, hn::Set(di, kBlockColumns * edge_[2].step_x));
@@ -208,10 +211,13 @@ class TriangleBlocks {
     const auto column = hn::Load(di, BlockLanes::kColumn);
     bool is_ready = false;
     RowValues row_values;
+    // Columns from the rows' anchors on; small integers, so that steps are exact.
+    V next = hn::ConvertTo(d, hn::Sub(hn::Add(column, hn::Set(di, box.column_begin)), first_));
     for (int x = box.column_begin, block = 0; x < box.column_end; x += kBlockColumns, ++block) {
+      const V k = next;
+      next = hn::Add(next, hn::Set(d, static_cast<float>(kBlockColumns)));
       auto mask = hn::RebindMask(d, is_cut_ ? hn::And(mask_[block], in_scissor(x)) : mask_[block]);
       if (hn::AllFalse(d, mask)) continue;
-      const V k = hn::ConvertTo(d, hn::Sub(hn::Add(column, hn::Set(di, x)), first_));
       V z = hn::Add(z_row, hn::Mul(z_slope, k));
       z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)), one());
       float* depths = surface_.depth + row * kTileWidth + x;
