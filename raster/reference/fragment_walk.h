@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
-#include "raster/reference/fragment.h"
 #include "raster/primitive.h"
+#include "raster/reference/fragment.h"
 #include "raster/reference/planes.h"
 #include "raster/reference/spans.h"
 

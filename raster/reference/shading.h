@@ -2,8 +2,8 @@
 // sum, fog. Enters and leaves a fragment; knows nothing of the frame.
 #pragma once
 
-#include "raster/reference/fragment.h"
 #include "raster/reference/arithmetic.h"
+#include "raster/reference/fragment.h"
 #include "raster/reference/trace.h"
 
 namespace barrido::raster::reference {
