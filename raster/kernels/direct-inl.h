@@ -32,11 +32,14 @@ inline Route route_of(const FragmentState& state, ColorFormat format) {
   bool textured = false;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) textured |= is_active(state, unit);
   if (format != ColorFormat::rgba8 || textured || state.illumination.function != nullptr ||
-      state.fog.enabled || state.separate_specular || state.alpha_test.enabled ||
-      !all_channels(state.color_mask)) {
+      state.fog.enabled || state.alpha_test.enabled || !all_channels(state.color_mask)) {
     return Route::batch;
   }
-  if (state.varyings.color == kAbsent) return state.blend.enabled ? Route::batch : Route::flat;
+  const bool has_flat_specular = state.separate_specular && state.varyings.specular == kAbsent;
+  if (state.varyings.color == kAbsent && (has_flat_specular || !state.separate_specular)) {
+    return state.blend.enabled ? Route::batch : Route::flat;
+  }
+  if (state.separate_specular) return Route::batch;
   if (!state.blend.enabled) return Route::smooth;
   if (BlendConstant::fits(state.blend)) return Route::smooth_blend_constant;
   return BlendSourceAlpha::fits(state.blend) ? Route::smooth_blend_source_alpha : Route::batch;

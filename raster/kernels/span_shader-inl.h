@@ -30,6 +30,18 @@ const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord
   return chunk.flat.empty() ? kNone : chunk.flat[p.flat_and_facing & ~kBackFacing];
 }
 
+/// The one colour of a flat primitive: the primary, and the secondary where it is added; to be clamped.
+HWY_INLINE void flat_color(const FragmentState& state, const FlatColors& flat, float (&color)[4]) {
+  const auto bounded = [&](float c) {
+    if (!state.clamp_colors) return c;
+    c = c > 0.0f ? c : 0.0f;
+    return c < 1.0f ? c : 1.0f;
+  };
+  for (int c = 0; c < 4; ++c) color[c] = flat.color[c];
+  if (!state.separate_specular) return;
+  for (int c = 0; c < 3; ++c) color[c] = bounded(flat.color[c]) + bounded(flat.specular[c]);
+}
+
 /// Shades spans one primitive at a time: begin_chunk, begin_primitive, then for each span start_span and what
 /// is to be drawn of it. Fragments may stay in the batch until flush().
 class SpanShader {
@@ -119,7 +131,7 @@ class SpanShader {
   void shade_blocks(TriangleBlocks& blocks, const TriangleBox& box, bool clockwise) {
     const int color = kRecordVaryings + chunk_->state->varyings.color;
     const bool perspective = chunk_->state->varyings.color >= chunk_->state->varyings.affine_count;
-    const float* flat = route_ == Route::flat ? flat_colors(*chunk_, *primitive_).color : nullptr;
+    const float* flat = route_ == Route::flat ? find_flat_color() : nullptr;
     const TriangleBlocks::Counts counts = blocks.draw(*primitive_, clockwise, box, [&]() HWY_ATTR {
       if (!is_set_up_) set_up();
       return BlockPaint{planes_, flat, color, flat == nullptr && perspective && !span_.constant_q};
@@ -147,7 +159,7 @@ class SpanShader {
       return chunk_->record(primitive_->vertex[vertex], kTinyQuantities);
     };
     tiny.add(coverage, i, record(0), record(1), record(2),
-             route_ == Route::flat ? flat_colors(*chunk_, *primitive_).color : nullptr);
+             route_ == Route::flat ? find_flat_color() : nullptr);
     if (tiny.is_full()) draw_tiny(tiny);
   }
 
@@ -184,7 +196,7 @@ class SpanShader {
     const FragmentState& state = *chunk_->state;
     switch (route_) {
       case Route::flat:
-        return draw(FlatPixels(flat_colors(*chunk_, *primitive_).color));
+        return draw(FlatPixels(find_flat_color()));
       case Route::smooth_blend_constant:
         return with_smooth_pixels(begin, end, blend_constant_, draw);
       case Route::smooth_blend_source_alpha:
@@ -205,6 +217,12 @@ class SpanShader {
     } else {
       draw(SmoothPixels<Blend, false>(layout, span_, blend));
     }
+  }
+
+  /// The primitive's colour on Route::flat.
+  const float* find_flat_color() {
+    flat_color(*chunk_->state, flat_colors(*chunk_, *primitive_), flat_color_);
+    return flat_color_;
   }
 
   void set_up() {
@@ -321,6 +339,7 @@ class SpanShader {
   bool has_flat_colors_ = false;  ///< Colours that are the same for a whole primitive.
   unsigned lod_units_ = 0;  ///< Bit u: texture unit u is on and its filters ask for the level of detail.
   std::uint64_t interpolations_ = 0;  ///< Quantities a shaded fragment.
+  float flat_color_[4];
   BlendConstant blend_constant_{BlendState{}};
   InterpolatedSpan span_;
   Planes planes_;

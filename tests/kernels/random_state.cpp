@@ -167,6 +167,7 @@ FragmentState random_simple_state(RandomBits& random, int frame_width, int frame
   if (random.chance(70)) state.depth = {true, true, Compare::less};
   if (random.chance(70)) state.polygon_offset.enabled = false;
   state.clamp_colors = random.chance(80);
+  state.separate_specular = state.varyings.color == kAbsent && random.chance(50);
   if (random.chance(70)) return state;
   state.blend.enabled = true;
   state.blend.constant = random.color(0.0f, 1.0f);
