@@ -68,6 +68,25 @@ inline DepthPlane triangle_depth_plane(const TriangleFrame& f, float z0, float z
   return plane;
 }
 
+/// Quantities of a triangle at its first vertex, and their derivatives.
+template <class D>
+struct PlaneOf {
+  hn::Vec<D> base, ddx, ddy;
+};
+
+/// Of as many quantities as `d` has lanes, from those of the three vertices.
+template <class D>
+HWY_INLINE PlaneOf<D> plane_of(D d, const TriangleFrame& f, const float* r0, const float* r1,
+                               const float* r2) {
+  const hn::Rebind<float, D> df;
+  const auto v0 = hn::PromoteTo(d, hn::LoadU(df, r0));
+  const auto e1 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r1)), v0);
+  const auto e2 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r2)), v0);
+  const auto inverse = hn::Set(d, f.inverse);
+  return {v0, hn::Mul(hn::Sub(hn::Mul(e1, hn::Set(d, f.dy2)), hn::Mul(e2, hn::Set(d, f.dy1))), inverse),
+          hn::Mul(hn::Sub(hn::Mul(e2, hn::Set(d, f.dx1)), hn::Mul(e1, hn::Set(d, f.dx2))), inverse)};
+}
+
 HWY_INLINE void set_up_triangle(const TriangleFrame& f, const float* r0, const float* r1, const float* r2,
                                 int count, const PolygonOffset& offset, Planes& planes) {
   const hn::ScalableTag<double> d;
@@ -76,19 +95,12 @@ HWY_INLINE void set_up_triangle(const TriangleFrame& f, const float* r0, const f
   planes.y0 = f.y0;
   planes.count = count;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto v0 = hn::PromoteTo(d, hn::LoadU(df, r0 + i));
-    const auto e1 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r1 + i)), v0);
-    const auto e2 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r2 + i)), v0);
-    const auto inverse = hn::Set(d, f.inverse);
-    const auto ddx =
-        hn::Mul(hn::Sub(hn::Mul(e1, hn::Set(d, f.dy2)), hn::Mul(e2, hn::Set(d, f.dy1))), inverse);
-    const auto ddy =
-        hn::Mul(hn::Sub(hn::Mul(e2, hn::Set(d, f.dx1)), hn::Mul(e1, hn::Set(d, f.dx2))), inverse);
-    hn::Store(v0, d, planes.base + i);
-    hn::Store(ddx, d, planes.ddx + i);
-    hn::Store(ddy, d, planes.ddy + i);
-    hn::Store(hn::DemoteTo(df, ddx), df, planes.slope_x + i);
-    hn::Store(hn::DemoteTo(df, ddy), df, planes.slope_y + i);
+    const auto plane = plane_of(d, f, r0 + i, r1 + i, r2 + i);
+    hn::Store(plane.base, d, planes.base + i);
+    hn::Store(plane.ddx, d, planes.ddx + i);
+    hn::Store(plane.ddy, d, planes.ddy + i);
+    hn::Store(hn::DemoteTo(df, plane.ddx), df, planes.slope_x + i);
+    hn::Store(hn::DemoteTo(df, plane.ddy), df, planes.slope_y + i);
   }
   planes.base[kRecordDepth] =
       offset_depth(planes.base[kRecordDepth], planes.ddx[kRecordDepth], planes.ddy[kRecordDepth], offset);

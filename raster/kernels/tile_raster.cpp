@@ -129,19 +129,23 @@ class TileRasterizer {
         shader_.draw_tiny(tiny);
       }
       if (takes_blocks && draw_blocks(blocks, p)) continue;
-      for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
-        const int x_begin = std::max(first, scissor.x_begin);
-        const int x_end = std::min(end, scissor.x_end);
-        ++workspace_.statistics.spans;
-        workspace_.statistics.fragments_covered += static_cast<std::uint64_t>(end - first);
-        if (x_begin >= x_end || row < scissor.y_begin || row >= scissor.y_end) return;
-        shader_.start_span(row, first, end);
-        shader_.shade_passing(row, x_begin, x_end);
-      });
+      draw_spans(chunk, p, scissor);
       // A later primitive's depth test must see what the alpha test lets through.
       if (chunk.state->alpha_test.enabled) shader_.flush();
     }
     shader_.draw_tiny(tiny);
+  }
+
+  void draw_spans(const PrimitiveChunk& chunk, const PrimitiveRecord& p, const ScissorBox& scissor) {
+    for_each_span(chunk, p, tile_, [&](int row, int first, int end) HWY_ATTR {
+      const int x_begin = std::max(first, scissor.x_begin);
+      const int x_end = std::min(end, scissor.x_end);
+      ++workspace_.statistics.spans;
+      workspace_.statistics.fragments_covered += static_cast<std::uint64_t>(end - first);
+      if (x_begin >= x_end || row < scissor.y_begin || row >= scissor.y_end) return;
+      shader_.start_span(row, first, end);
+      shader_.shade_passing(row, x_begin, x_end);
+    });
   }
 
   /// The records of primitives ahead, of which a vector are read at once, and the vertices of a nearer one,

@@ -112,18 +112,11 @@ class TinyTriangles {
     const hn::CappedTag<double, kTinyQuantities> d;
     const hn::Rebind<float, decltype(d)> df;
     for (int i = 0; i < kTinyQuantities; i += static_cast<int>(hn::Lanes(d))) {
-      const auto v0 = hn::PromoteTo(d, hn::LoadU(df, r0 + i));
-      const auto e1 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r1 + i)), v0);
-      const auto e2 = hn::Sub(hn::PromoteTo(d, hn::LoadU(df, r2 + i)), v0);
-      const auto inverse = hn::Set(d, f.inverse);
-      const auto ddx =
-          hn::Mul(hn::Sub(hn::Mul(e1, hn::Set(d, f.dy2)), hn::Mul(e2, hn::Set(d, f.dy1))), inverse);
-      const auto ddy =
-          hn::Mul(hn::Sub(hn::Mul(e2, hn::Set(d, f.dx1)), hn::Mul(e1, hn::Set(d, f.dx2))), inverse);
-      hn::Store(v0, d, t.base + i);
-      hn::Store(ddx, d, t.ddx + i);
-      hn::Store(ddy, d, t.ddy + i);
-      hn::Store(hn::DemoteTo(df, ddx), df, t.slope + i);
+      const auto plane = plane_of(d, f, r0 + i, r1 + i, r2 + i);
+      hn::Store(plane.base, d, t.base + i);
+      hn::Store(plane.ddx, d, t.ddx + i);
+      hn::Store(plane.ddy, d, t.ddy + i);
+      hn::Store(hn::DemoteTo(df, plane.ddx), df, t.slope + i);
     }
   }
 
