@@ -33,7 +33,7 @@ template <class T>
 struct UnclearedAllocator : ArrayAllocator<T> {
   static_assert(std::is_trivially_default_constructible_v<T>);
   template <class U>
-  struct rebind {
+  struct rebind {  // NOLINT(readability-identifier-naming): as allocators have it
     using other = UnclearedAllocator<U>;
   };
 

@@ -75,7 +75,7 @@ HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, cons
 /// No blending: the source replaces what is there.
 struct Replace {
   static constexpr bool kReads = false;
-  static constexpr bool keeps_unit = true;
+  static constexpr bool keeps_unit = true;  // NOLINT(readability-identifier-naming): not constant in each
   explicit Replace(const BlendState&) {}
   HWY_INLINE Rgba operator()(const Rgba& source, const Rgba&) const { return source; }
 };
@@ -116,7 +116,7 @@ struct BlendConstant {
 /// The usual transparency: source alpha, one minus source alpha.
 struct BlendSourceAlpha {
   static constexpr bool kReads = true;
-  static constexpr bool keeps_unit = true;
+  static constexpr bool keeps_unit = true;  // NOLINT(readability-identifier-naming): not constant in each
 
   static bool fits(const BlendState& blend) {
     return blend.equation == BlendEquation::add && blend.src_rgb == BlendFactor::src_alpha &&
@@ -135,7 +135,7 @@ struct BlendSourceAlpha {
 /// Any factors and equation.
 struct BlendGeneral {
   static constexpr bool kReads = true;
-  static constexpr bool keeps_unit = false;
+  static constexpr bool keeps_unit = false;  // NOLINT(readability-identifier-naming): not constant in each
   const BlendState& blend;
 
   explicit BlendGeneral(const BlendState& b) : blend(b) {}

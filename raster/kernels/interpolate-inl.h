@@ -65,7 +65,7 @@ HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const Va
 /// Short runs, the usual ones of small triangles, use short vectors: a division costs by the lane.
 HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const VaryingLayout& layout, int x,
                                      int count, FragmentBatch& batch, int at) {
-  if (count <= 4) {
+  if (count <= 4) {  // NOLINT(bugprone-branch-clone): the same only where vectors are that short
     interpolate_varyings(hn::FixedTag<float, 4>(), span, layout, x, count, batch, at);
   } else {
     interpolate_varyings(hn::ScalableTag<float>(), span, layout, x, count, batch, at);

@@ -25,7 +25,7 @@ namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The colours of a flat primitive; black and transparent where the chunk has none.
-const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
+inline const FlatColors& flat_colors(const PrimitiveChunk& chunk, const PrimitiveRecord& p) {
   static constexpr FlatColors kNone{};
   return chunk.flat.empty() ? kNone : chunk.flat[p.flat_and_facing & ~kBackFacing];
 }

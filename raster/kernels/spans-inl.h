@@ -66,7 +66,7 @@ struct Edge {
 inline Edge make_edge(std::int32_t xa, std::int32_t ya, std::int32_t xb, std::int32_t yb) {
   const double dy = static_cast<double>(yb) - ya;
   return {static_cast<double>(ya), static_cast<double>(xb) - xa, dy,
-          (static_cast<double>(xa) - kSubpixelUnits / 2) * dy, kSubpixelUnits * dy};
+          (static_cast<double>(xa) - kSubpixelUnits / 2.0) * dy, kSubpixelUnits * dy};
 }
 
 /// Spans by exact division, for triangles of any size; the rows are known already.
