@@ -85,7 +85,7 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
         break;
       }
-      case TextureEnvMode::modulate:  // needs no combining, and neither does
+      case TextureEnvMode::modulate:  // this one and the next are applied as the texels are sampled
       case TextureEnvMode::replace:
       case TextureEnvMode::combine:
         break;

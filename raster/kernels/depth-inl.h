@@ -155,7 +155,7 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
   }
 }
 
-/// `start` is the column of the first vector: at most `begin`, which it need not be.
+/// `start` is the column of the first vector, at most `begin`.
 template <class Passed>
 HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
                            int start, int begin, int end, Passed&& passed) {

@@ -138,17 +138,24 @@ inline void set_up_point(const PrimitiveRecord& p, const float* r0, int count, P
   }
 }
 
-/// Values of all quantities at the centre of window pixel (x, y).
-HWY_INLINE void evaluate_row(const Planes& planes, int x, int y, float* row) {
+/// Values of the first `count` quantities, a multiple of eight, (dx, dy) from the planes' reference point.
+HWY_INLINE void evaluate_planes(const double* base, const double* ddx, const double* ddy, int count,
+                                double dx, double dy, float* values) {
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> df;
-  const auto dx = hn::Set(d, (x + 0.5) - planes.x0);
-  const auto dy = hn::Set(d, (y + 0.5) - planes.y0);
-  for (int i = 0; i < planes.count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto along_x = hn::Add(hn::Load(d, planes.base + i), hn::Mul(hn::Load(d, planes.ddx + i), dx));
-    const auto value = hn::Add(along_x, hn::Mul(hn::Load(d, planes.ddy + i), dy));
-    hn::Store(hn::DemoteTo(df, value), df, row + i);
+  const auto to_x = hn::Set(d, dx);
+  const auto to_y = hn::Set(d, dy);
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto along_x = hn::Add(hn::Load(d, base + i), hn::Mul(hn::Load(d, ddx + i), to_x));
+    const auto value = hn::Add(along_x, hn::Mul(hn::Load(d, ddy + i), to_y));
+    hn::Store(hn::DemoteTo(df, value), df, values + i);
   }
+}
+
+/// Values of all quantities at the centre of window pixel (x, y).
+HWY_INLINE void evaluate_row(const Planes& planes, int x, int y, float* row) {
+  evaluate_planes(planes.base, planes.ddx, planes.ddy, planes.count, (x + 0.5) - planes.x0,
+                  (y + 0.5) - planes.y0, row);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -165,8 +165,7 @@ class SpanShader {
 
   /// Draws and counts the tiny triangles that have been taken.
   void draw_tiny(TinyTriangles& tiny) {
-    tiny.draw();
-    const TinyTriangles::Counts counts = tiny.take_counts();
+    const TinyTriangles::Counts counts = tiny.draw();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
     count_shaded(static_cast<int>(counts.shaded));

@@ -13,7 +13,6 @@
 #include <hwy/highway.h>
 
 #include <cstring>
-#include <utility>
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
@@ -58,26 +57,20 @@ class TinyTriangles {
     ++triangle_count_;
   }
 
-  /// Counts of what draw() has drawn since they were last taken.
   struct Counts {
     std::size_t spans = 0, covered = 0, shaded = 0;
   };
-  Counts take_counts() { return std::exchange(counts_, {}); }
 
   /// Draws the triangles that were added.
-  void draw() {
-    if (triangle_count_ == 0) return;
+  Counts draw() {
+    if (triangle_count_ == 0) return {};
     start_spans();
-    if (paint_.is_flat) {
-      draw_flat_pixels();
-    } else if (paint_.divides) {
-      draw_smooth_pixels<true>();
-    } else {
-      draw_smooth_pixels<false>();
-    }
-    counts_.spans += row_count_;
-    counts_.covered += pixel_count_;
+    const std::size_t shaded = paint_.is_flat   ? draw_flat_pixels()
+                               : paint_.divides ? draw_smooth_pixels<true>()
+                                                : draw_smooth_pixels<false>();
+    const Counts counts{row_count_, pixel_count_, shaded};
     triangle_count_ = row_count_ = pixel_count_ = 0;
+    return counts;
   }
 
  private:
@@ -155,7 +148,8 @@ class TinyTriangles {
       const int column = t.column + __builtin_ctz(columns);
       const int row = t.row + static_cast<int>(entry >> kRowShift & (kTinySide - 1));
       Span& span = spans_[s];
-      evaluate(t, tile_.x + column, tile_.y + row, span.values);
+      evaluate_planes(t.base, t.ddx, t.ddy, kTinyQuantities, (tile_.x + column + 0.5) - t.x0,
+                      (tile_.y + row + 0.5) - t.y0, span.values);
       span.slope = t.slope;
       span.packed = t.packed;
       span.at = row * kTileWidth + column;
@@ -164,19 +158,6 @@ class TinyTriangles {
         hn::StoreU(hn::Add(first, hn::Load(d, kColumnNumbers + i)), d, pixels_ + pixel_count_ + i);
       }
       pixel_count_ += static_cast<std::size_t>(__builtin_popcount(columns));
-    }
-  }
-
-  /// As evaluate_row.
-  static HWY_INLINE void evaluate(const Triangle& t, int x, int y, float* values) {
-    const hn::CappedTag<double, kTinyQuantities> d;
-    const hn::Rebind<float, decltype(d)> df;
-    const auto dx = hn::Set(d, (x + 0.5) - t.x0);
-    const auto dy = hn::Set(d, (y + 0.5) - t.y0);
-    for (int i = 0; i < kTinyQuantities; i += static_cast<int>(hn::Lanes(d))) {
-      const auto along_x = hn::Add(hn::Load(d, t.base + i), hn::Mul(hn::Load(d, t.ddx + i), dx));
-      const auto value = hn::Add(along_x, hn::Mul(hn::Load(d, t.ddy + i), dy));
-      hn::Store(hn::DemoteTo(df, value), df, values + i);
     }
   }
 
@@ -190,27 +171,32 @@ class TinyTriangles {
     return true;
   }
 
-  void draw_flat_pixels() {
-    for (std::size_t i = 0; i < pixel_count_; ++i) {
-      const Span& span = spans_[pixels_[i] >> kSpanShift];
-      const std::uint32_t column = pixels_[i] & (kTinySide - 1);
-      const std::int32_t at = span.at + static_cast<std::int32_t>(column);
-      if (!test_pixel(span, LaneNumberTable<float>::kNumbers[column], at)) continue;
-      ++counts_.shaded;
-      surface_.color8[at] = static_cast<std::uint32_t>(span.packed);
-    }
-  }
-
-  template <bool kDivides>
-  void draw_smooth_pixels() {
-    const hn::FixedTag<float, 4> d;
+  /// Calls visit(span, k, at) for the pixels that are seen, k columns from their span's first. @return how
+  /// many.
+  template <class Visit>
+  HWY_INLINE std::size_t for_each_seen(Visit&& visit) {
+    std::size_t seen = 0;
     for (std::size_t i = 0; i < pixel_count_; ++i) {
       const Span& span = spans_[pixels_[i] >> kSpanShift];
       const std::uint32_t column = pixels_[i] & (kTinySide - 1);
       const std::int32_t at = span.at + static_cast<std::int32_t>(column);
       const float k = LaneNumberTable<float>::kNumbers[column];
       if (!test_pixel(span, k, at)) continue;
-      ++counts_.shaded;
+      ++seen;
+      visit(span, k, at);
+    }
+    return seen;
+  }
+
+  std::size_t draw_flat_pixels() {
+    return for_each_seen([&](const Span& span, float, std::int32_t at)
+                             HWY_ATTR { surface_.color8[at] = static_cast<std::uint32_t>(span.packed); });
+  }
+
+  template <bool kDivides>
+  std::size_t draw_smooth_pixels() {
+    const hn::FixedTag<float, 4> d;
+    return for_each_seen([&](const Span& span, float k, std::int32_t at) HWY_ATTR {
       auto color = hn::Add(hn::LoadU(d, span.values + paint_.color),
                            hn::Mul(hn::LoadU(d, span.slope + paint_.color), hn::Set(d, k)));
       if constexpr (kDivides) {
@@ -218,7 +204,7 @@ class TinyTriangles {
         color = hn::Mul(color, hn::Set(d, 1.0f / (q > kSmallestQ ? q : kSmallestQ)));
       }
       surface_.color8[at] = static_cast<std::uint32_t>(pack_pixel(color));
-    }
+    });
   }
 
   /// Four channels of one pixel, packed as pack8 packs vectors of pixels.
@@ -239,7 +225,6 @@ class TinyTriangles {
   TileSurface& surface_;
   const TileArea tile_;
   TinyPaint paint_{};
-  Counts counts_;
   std::size_t triangle_count_ = 0, row_count_ = 0, pixel_count_ = 0;
   Triangle triangles_[kTriangles];
   Span spans_[kRows];
