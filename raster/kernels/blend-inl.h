@@ -152,16 +152,26 @@ struct BlendGeneral {
   }
 };
 
-/// Colours in [0, 1 + 2^-19], rounded to 8 bits a channel. Adding 2^23 leaves the nearest integer, ties to
-/// even, in the low bits of the sum.
-HWY_INLINE auto pack8_unit(const Rgba& color) {
+/// A channel in [0, 1 + 2^-19], rounded to 8 bits: adding 2^23 leaves the nearest integer, ties to even, in
+/// the low bits of the sum. Above it stands what a shift to the left has to push out or a mask to remove.
+HWY_INLINE auto round8(V channel) {
   const hn::RebindToSigned<F> di;
-  const auto byte = [&](int c) HWY_ATTR {
-    const V scaled = hn::Mul(color.c[c], hn::Set(F(), 255.0f));
-    return hn::BitCast(di, hn::Add(scaled, hn::Set(F(), 8388608.0f)));
-  };
-  return hn::Or(hn::Or(hn::And(byte(0), hn::Set(di, 0xff)), hn::ShiftLeft<8>(byte(1))),
-                hn::Or(hn::ShiftLeft<16>(byte(2)), hn::ShiftLeft<24>(byte(3))));
+  return hn::BitCast(di, hn::Add(hn::Mul(channel, hn::Set(F(), 255.0f)), hn::Set(F(), 8388608.0f)));
+}
+
+/// Colours in [0, 1 + 2^-19] in 8 bits a channel.
+HWY_INLINE auto pack8_unit(const Rgba& color) {
+  const auto low = hn::Set(hn::RebindToSigned<F>(), 0xff);
+  return hn::Or(hn::Or(hn::And(round8(color.c[0]), low), hn::ShiftLeft<8>(round8(color.c[1]))),
+                hn::Or(hn::ShiftLeft<16>(round8(color.c[2])), hn::ShiftLeft<24>(round8(color.c[3]))));
+}
+
+/// The same with an alpha of 1, whatever `color` has.
+HWY_INLINE auto pack8_opaque(const Rgba& color) {
+  const hn::RebindToSigned<F> di;
+  const auto alpha = hn::Set(di, static_cast<std::int32_t>(0xff000000u));
+  return hn::Or(hn::Or(hn::And(round8(color.c[0]), hn::Set(di, 0xff)), hn::ShiftLeft<8>(round8(color.c[1]))),
+                hn::Or(hn::ShiftLeft<16>(round8(color.c[2])), alpha));
 }
 
 /// Any colours.

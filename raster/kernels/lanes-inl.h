@@ -52,6 +52,18 @@ HWY_INLINE hn::Vec<hn::ScalableTag<std::int32_t>> floor_to_integer(hn::Vec<hn::S
 #endif
 }
 
+/// ⌈v⌉ of doubles as 32-bit integers, which must fit.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> ceiling_to_integer([[maybe_unused]] D d, hn::Vec<D> v) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+  if constexpr (hn::MaxLanes(d) == 8) {
+    return hn::Vec<hn::Rebind<std::int32_t, D>>{
+        _mm512_cvt_roundpd_epi32(v.raw, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC)};
+  }
+#endif
+  return hn::DemoteTo(hn::Rebind<std::int32_t, D>(), hn::Ceil(v));
+}
+
 /// The lanes below n; none when n ≤ 0, all when n is large.
 template <class D>
 HWY_INLINE hn::Mask<D> lanes_below(D d, int n) {

@@ -91,7 +91,7 @@ class SpanShader {
   void shade(int row, int begin, int end) {
     if (route_ == Route::batch) return append(row, begin, end);
     const hn::ScalableTag<float> d;
-    count_shaded(end - begin);
+    count_shaded(static_cast<std::uint64_t>(end - begin));
     with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       const int lanes = static_cast<int>(hn::Lanes(d));
@@ -121,24 +121,20 @@ class SpanShader {
             pixels(to, x, mask, column);
           });
     });
-    count_shaded(static_cast<int>(passed));
+    count_shaded(passed);
   }
 
   /// Whether small triangles may be drawn in blocks.
   bool takes_blocks() const { return route_ == Route::flat || route_ == Route::smooth; }
 
-  /// All of a small triangle at once, its depth test included; counts it.
-  void shade_blocks(TriangleBlocks& blocks, const TriangleBox& box, bool clockwise) {
-    const int color = kRecordVaryings + chunk_->state->varyings.color;
-    const bool perspective = chunk_->state->varyings.color >= chunk_->state->varyings.affine_count;
-    const float* flat = route_ == Route::flat ? find_flat_color() : nullptr;
-    const TriangleBlocks::Counts counts = blocks.draw(*primitive_, clockwise, box, [&]() HWY_ATTR {
-      if (!is_set_up_) set_up();
-      return BlockPaint{planes_, flat, color, flat == nullptr && perspective && !span_.constant_q};
-    });
+  /// All of a small triangle at once, its depth test included.
+  void shade_blocks(TriangleBlocks& blocks, const TriangleSpans& spans) { blocks.draw(spans, block_paint()); }
+  /// Counts what the blocks have drawn.
+  void count_blocks(const TriangleBlocks& blocks) {
+    const TriangleBlocks::Counts counts = blocks.counts();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(static_cast<int>(counts.shaded));
+    count_shaded(counts.shaded);
   }
 
   /// Whether tiny triangles may be drawn pixel by pixel, unless the scissor cuts them.
@@ -168,7 +164,7 @@ class SpanShader {
     const TinyTriangles::Counts counts = tiny.draw();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(static_cast<int>(counts.shaded));
+    count_shaded(counts.shaded);
   }
 
   void flush() {
@@ -176,6 +172,20 @@ class SpanShader {
   }
 
  private:
+  BlockPaint block_paint() {
+    if (!is_set_up_) set_up();
+    const VaryingLayout& layout = chunk_->state->varyings;
+    const int stride = record_stride(layout.count);
+    const float* r0 = chunk_->record(primitive_->vertex[0], stride);
+    const float* r1 = chunk_->record(primitive_->vertex[1], stride);
+    const float* r2 = chunk_->record(primitive_->vertex[2], stride);
+    const bool plain_depth = !chunk_->state->polygon_offset.enabled && has_plain_depth(r0, r1, r2);
+    if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth, true};
+    const int color = kRecordVaryings + layout.color;
+    const bool divides = layout.color >= layout.affine_count && !span_.constant_q;
+    return {planes_, nullptr, color, divides, plain_depth, has_plain_colors(r0, r1, r2, color)};
+  }
+
   SpanDepth span_depth() const {
     return {span_.row[kRecordDepth], planes_.slope_x[kRecordDepth], span_.anchor};
   }
@@ -184,9 +194,9 @@ class SpanShader {
   }
 
   /// Counted where no batch does it.
-  void count_shaded(int fragments) {
-    workspace_.statistics.fragments_shaded += static_cast<std::uint64_t>(fragments);
-    workspace_.statistics.interpolations += static_cast<std::uint64_t>(fragments) * interpolations_;
+  void count_shaded(std::uint64_t fragments) {
+    workspace_.statistics.fragments_shaded += fragments;
+    workspace_.statistics.interpolations += fragments * interpolations_;
   }
 
   /// Calls draw(pixels) with what makes the colours of the span's columns [begin, end).

@@ -57,85 +57,49 @@ HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
   return bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
 }
 
-/// An edge from its lower to its upper end: the crossing of row centre Y is the ceiling of
-/// (start + (Y − y)·dx) / denominator, start = (x − 128)·dy.
+/// An edge from its lower to its upper end: it crosses the centre line of row r of the tile at column
+/// (start + r·step)·inverse, never on a pixel's centre; see docs/arithmetic.md for the half that start lacks.
 struct Edge {
-  double y, dx, dy, start, denominator;
+  double start, step, inverse;
 };
 
-inline Edge make_edge(std::int32_t xa, std::int32_t ya, std::int32_t xb, std::int32_t yb) {
-  const double dy = static_cast<double>(yb) - ya;
-  return {static_cast<double>(ya), static_cast<double>(xb) - xa, dy,
-          (static_cast<double>(xa) - kSubpixelUnits / 2.0) * dy, kSubpixelUnits * dy};
+inline Edge make_edge(const SortedCorners& c, int lower, int upper, const TileArea& tile) {
+  const double dx = static_cast<double>(c.x[upper]) - c.x[lower];
+  const double dy = static_cast<double>(c.y[upper]) - c.y[lower];
+  const double x = c.x[lower] - (tile.x * kSubpixelUnits + kSubpixelUnits / 2);
+  const double y = c.y[lower] - (tile.y * kSubpixelUnits + kSubpixelUnits / 2);
+  return {(x * dy - y * dx) - 0.5, kSubpixelUnits * dx, 1.0 / (kSubpixelUnits * dy)};
 }
 
-/// Spans by exact division, for triangles of any size; the rows are known already.
-HWY_INLINE void large_triangle_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
+/// Spans of rows [row_begin, row_end), which the triangle's height holds.
+HWY_INLINE void find_spans(const PrimitiveRecord& p, const TileArea& tile, TriangleSpans& spans) {
   const SortedCorners c = sort_by_y(p);
-  const int middle_row = first_centre_at(c.y[1]) - tile.y;
-  const Edge edge_long = make_edge(c.x[0], c.y[0], c.x[2], c.y[2]);
-  const Edge edge_lower = make_edge(c.x[0], c.y[0], c.x[1], c.y[1]);
-  const Edge edge_upper = make_edge(c.x[1], c.y[1], c.x[2], c.y[2]);
+  const Edge edge_long = make_edge(c, 0, 2, tile);
+  const Edge edge_lower = make_edge(c, 0, 1, tile);
+  const Edge edge_upper = make_edge(c, 1, 2, tile);
 
   const hn::ScalableTag<double> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
-  const auto crossing = [&](auto center, auto y, auto dx, auto start, auto denominator) HWY_ATTR {
-    const auto numerator = hn::Add(start, hn::Mul(hn::Sub(center, y), dx));
-    // Held within the guard band so that the conversion is defined for slivers of rows past the last one as
-    // well.
-    return hn::DemoteTo(di, hn::Ceil(hn::Div(numerator, denominator)));
-  };
-  const auto low = hn::Set(di, tile.x);
-  const auto high = hn::Set(di, tile.x + tile.width);
+  const auto middle_row = hn::Set(d, static_cast<double>(first_centre_at(c.y[1]) - tile.y));
   const auto last_row = hn::Set(d, static_cast<double>(spans.row_end - 1));
+  const auto width = hn::Set(di, tile.width);
   for (int r = spans.row_begin; r < spans.row_end; r += static_cast<int>(hn::Lanes(d))) {
+    // No row past the last: there the edges may cross anywhere.
     const auto row = hn::Min(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<double>(r)), last_row);
-    const auto center = hn::Add(hn::Mul(hn::Add(row, hn::Set(d, static_cast<double>(tile.y))),
-                                        hn::Set(d, static_cast<double>(kSubpixelUnits))),
-                                hn::Set(d, kSubpixelUnits / 2.0));
-    const auto is_lower = hn::Lt(row, hn::Set(d, static_cast<double>(middle_row)));
+    const auto is_lower = hn::Lt(row, middle_row);
     const auto pick = [&](double lower, double upper)
                           HWY_ATTR { return hn::IfThenElse(is_lower, hn::Set(d, lower), hn::Set(d, upper)); };
-    const auto a = crossing(center, hn::Set(d, edge_long.y), hn::Set(d, edge_long.dx),
-                            hn::Set(d, edge_long.start), hn::Set(d, edge_long.denominator));
-    const auto b = crossing(center, pick(edge_lower.y, edge_upper.y), pick(edge_lower.dx, edge_upper.dx),
-                            pick(edge_lower.start, edge_upper.start),
-                            pick(edge_lower.denominator, edge_upper.denominator));
-    const auto first = hn::Max(hn::Min(a, b), low);
-    const auto end = hn::Min(hn::Max(a, b), high);
-    hn::StoreU(hn::Sub(first, low), di, spans.first + r);
-    hn::StoreU(hn::Sub(end, low), di, spans.end + r);
-  }
-}
-
-/// Spans of a triangle whose pixels in the tile lie in a box no wider than a vector: one lane a column. All
-/// numbers fit 32 bits while the triangle is smaller than kSmallTriangle.
-HWY_INLINE void small_triangle_spans(const PrimitiveRecord& p, bool clockwise, int column,
-                                     const TileArea& tile, TriangleSpans& spans) {
-  const hn::ScalableTag<std::int32_t> di;
-  const int second = clockwise ? 2 : 1;
-  const int third = 3 - second;
-  const std::int32_t center_x = (tile.x + column) * kSubpixelUnits + kSubpixelUnits / 2;
-  const std::int32_t center_y = (tile.y + spans.row_begin) * kSubpixelUnits + kSubpixelUnits / 2;
-  const EdgeFunction e0 = edge_function(p.x[0], p.y[0], p.x[second], p.y[second], center_x, center_y);
-  const EdgeFunction e1 = edge_function(p.x[second], p.y[second], p.x[third], p.y[third], center_x, center_y);
-  const EdgeFunction e2 = edge_function(p.x[third], p.y[third], p.x[0], p.y[0], center_x, center_y);
-  const auto lane = barrido::HWY_NAMESPACE::lanes_from(di, 0);
-  const auto row_values = [&](const EdgeFunction& e) HWY_ATTR {
-    return hn::Add(hn::Set(di, e.value), hn::Mul(lane, hn::Set(di, e.step_x)));
-  };
-  auto v0 = row_values(e0);
-  auto v1 = row_values(e1);
-  auto v2 = row_values(e2);
-  const auto in_tile = barrido::HWY_NAMESPACE::lanes_below(di, tile.width - column);
-  for (int r = spans.row_begin; r < spans.row_end; ++r) {
-    const auto inside = hn::And(in_tile, hn::Gt(hn::Or(hn::Or(v0, v1), v2), hn::Set(di, -1)));
-    const unsigned bits = mask_bits(di, inside);
-    spans.first[r] = bits == 0 ? 0 : column + __builtin_ctz(bits);
-    spans.end[r] = bits == 0 ? 0 : column + 32 - __builtin_clz(bits);
-    v0 = hn::Add(v0, hn::Set(di, e0.step_y));
-    v1 = hn::Add(v1, hn::Set(di, e1.step_y));
-    v2 = hn::Add(v2, hn::Set(di, e2.step_y));
+    const auto first_after = [&](auto start, auto step, auto inverse) HWY_ATTR {
+      const auto crossing = hn::Mul(hn::Add(start, hn::Mul(row, step)), inverse);
+      return barrido::HWY_NAMESPACE::ceiling_to_integer(d, crossing);
+    };
+    const auto a =
+        first_after(hn::Set(d, edge_long.start), hn::Set(d, edge_long.step), hn::Set(d, edge_long.inverse));
+    const auto b =
+        first_after(pick(edge_lower.start, edge_upper.start), pick(edge_lower.step, edge_upper.step),
+                    pick(edge_lower.inverse, edge_upper.inverse));
+    hn::StoreU(hn::Max(hn::Min(a, b), hn::Zero(di)), di, spans.first + r);
+    hn::StoreU(hn::Min(hn::Max(a, b), width), di, spans.end + r);
   }
 }
 
@@ -155,17 +119,12 @@ HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, T
   if (area == 0 || !triangle_box(p, tile, box)) return false;
   spans.row_begin = box.row_begin;
   spans.row_end = box.row_end;
-  const hn::ScalableTag<std::int32_t> di;
-  if (box.is_small && box.column_end - box.column_begin <= static_cast<int>(hn::Lanes(di))) {
-    small_triangle_spans(p, area < 0, box.column_begin, tile, spans);
-    return true;
-  }
   const Cover cover = box.is_small ? Cover::some : cover_of(p, area < 0, box, tile);
   if (cover == Cover::none) return false;
   if (cover == Cover::all) {
     whole_box_spans(box, spans);
   } else {
-    large_triangle_spans(p, tile, spans);
+    find_spans(p, tile, spans);
   }
   return true;
 }

@@ -134,6 +134,7 @@ class TileRasterizer {
       if (chunk.state->alpha_test.enabled) shader_.flush();
     }
     shader_.draw_tiny(tiny);
+    if (takes_blocks) shader_.count_blocks(blocks);
   }
 
   void draw_spans(const PrimitiveChunk& chunk, const PrimitiveRecord& p, const ScissorBox& scissor) {
@@ -166,8 +167,8 @@ class TileRasterizer {
     TriangleBox box;
     if (!triangle_box(p, tile_, box)) return true;
     if (!box.is_small || box.column_end - box.column_begin > kMostBlockColumns) return false;
-    const std::int64_t area = signed_area(p);
-    if (area != 0) shader_.shade_blocks(blocks, box, area < 0);
+    TriangleSpans spans;
+    if (triangle_spans(p, tile_, spans)) shader_.shade_blocks(blocks, spans);
     return true;
   }
 
