@@ -207,31 +207,38 @@ class TileRasterizer {
   void collect_runs() {
     for (int row = 0; row < tile_.height; ++row) {
       const std::uint32_t* visible = workspace_.surface.visible_span + row * kTileWidth;
-      for (int x = 0; x < tile_.width;) {
-        const int end = end_of_run(visible, x, tile_.width);
-        if (visible[x] != 0) {
-          TilePrimitive& primitive = workspace_.primitives[primitive_of(visible[x])];
-          workspace_.runs.push_back({static_cast<std::int16_t>(row), static_cast<std::int16_t>(x),
-                                     static_cast<std::int16_t>(end), primitive.first_run});
-          primitive.first_run = static_cast<std::int32_t>(workspace_.runs.size()) - 1;
+      int begin = 0;
+      for (int word = 0; word < kTileWidth; word += 64) {
+        for (std::uint64_t last = last_columns(visible, word); last != 0; last &= last - 1) {
+          const int end = word + __builtin_ctzll(last) + 1;
+          add_run(row, begin, end, visible[begin]);
+          begin = end;
         }
-        x = end;
       }
+      add_run(row, begin, tile_.width, visible[begin]);
     }
   }
 
-  /// First column after x whose span is another.
-  static HWY_INLINE int end_of_run(const std::uint32_t* visible, int x, int width) {
+  void add_run(int row, int begin, int end, std::uint32_t mark) {
+    if (mark == 0) return;
+    TilePrimitive& primitive = workspace_.primitives[primitive_of(mark)];
+    workspace_.runs.push_back({static_cast<std::int16_t>(row), static_cast<std::int16_t>(begin),
+                               static_cast<std::int16_t>(end), primitive.first_run});
+    primitive.first_run = static_cast<std::int32_t>(workspace_.runs.size()) - 1;
+  }
+
+  /// Bit i: the column after column `word` + i is in the frame and has another mark.
+  HWY_INLINE std::uint64_t last_columns(const std::uint32_t* visible, int word) const {
     const hn::ScalableTag<std::uint32_t> du;
-    const int lanes = static_cast<int>(hn::Lanes(du));
-    const auto same = hn::Set(du, visible[x]);
-    for (int i = x & ~(lanes - 1); i < width; i += lanes) {
-      const auto differs = hn::And(hn::Ne(hn::Load(du, visible + i), same),
-                                   hn::Not(barrido::HWY_NAMESPACE::lanes_below(du, x - i)));
-      const auto place = hn::FindFirstTrue(du, differs);
-      if (place >= 0) return std::min(i + static_cast<int>(place), width);
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(du))) {
+      const std::uint32_t* here = visible + word + i;
+      const auto differs = hn::Ne(hn::Load(du, here), hn::LoadU(du, here + 1));
+      bits |= static_cast<std::uint64_t>(mask_bits(du, differs)) << i;
     }
-    return width;
+    const int columns = tile_.width - 1 - word;
+    if (columns >= 64) return bits;
+    return columns <= 0 ? 0 : bits & ((std::uint64_t{1} << columns) - 1);
   }
 
   void shade_visible(const TilePrimitive& primitive) {
