@@ -26,6 +26,8 @@ inline constexpr std::size_t kSampledTriangles = 64;
 
 /// Pixels of a triangle below which resolving visibility first costs more than it saves.
 inline constexpr std::int64_t kWorthASecondLook = 6;
+/// The same where colours go straight to the surface: a pixel that is not shaded saves little there.
+inline constexpr std::int64_t kWorthASecondLookDirect = 256;
 
 /// Opaque triangles: what is behind a fragment that passes its tests does not matter.
 bool hides_what_is_behind(const PrimitiveChunk& chunk) {
@@ -99,8 +101,11 @@ class TileRasterizer {
       }
       next -= numbers.size();
     }
+    const FragmentState& state = *(*job_.chunks)[begin]->chunk().state;
+    const bool direct = route_of(state, workspace_.surface.format) != Route::batch;
+    const std::int64_t least = direct ? kWorthASecondLookDirect : kWorthASecondLook;
     return 2 * covered > 3 * kTwoPixels * tile_.width * tile_.height &&
-           covered > kWorthASecondLook * kTwoPixels * static_cast<std::int64_t>(triangles);
+           covered > least * kTwoPixels * static_cast<std::int64_t>(triangles);
   }
 
   /// All shading in drawing order: blending, alpha test, or nothing to gain from resolving visibility first.
