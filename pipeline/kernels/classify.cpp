@@ -41,13 +41,58 @@ HWY_INLINE IntV area_sign(const Corner& a, const Corner& b, const Corner& c) {
   return hn::DemoteTo(Ints(), hn::Min(hn::Max(area, hn::Set(d, -1.0)), hn::Set(d, 1.0)));
 }
 
-/// Whether some pixel's centre lies in [smallest, largest) of the coordinates.
-HWY_INLINE hn::Mask<Ints> holds_centre(IntV a, IntV b, IntV c) {
+/// The pixels whose centres lie between the smallest and the largest of three coordinates.
+struct Centres {
+  IntV first, count;  ///< None when count is not positive.
+};
+HWY_INLINE Centres centres_between(IntV a, IntV b, IntV c) {
   const IntV round_up = hn::Set(Ints(), raster::kSubpixelUnits / 2 - 1);
   const IntV smallest = hn::Min(hn::Min(a, b), c);
   const IntV largest = hn::Max(hn::Max(a, b), c);
-  return hn::Lt(hn::ShiftRight<raster::kSubpixelBits>(hn::Add(smallest, round_up)),
-                hn::ShiftRight<raster::kSubpixelBits>(hn::Add(largest, round_up)));
+  const IntV first = hn::ShiftRight<raster::kSubpixelBits>(hn::Add(smallest, round_up));
+  return {first, hn::Sub(hn::ShiftRight<raster::kSubpixelBits>(hn::Add(largest, round_up)), first)};
+}
+
+/// The edge function from one corner to the next, negative outside: at a pixel's centre, and what the next
+/// pixel adds to it. As raster/kernels/triangle_edges.h has it; only for triangles of some pixels.
+struct Edge {
+  IntV value, step_x, step_y;
+};
+HWY_INLINE Edge edge(IntV ax, IntV ay, IntV bx, IntV by, IntV centre_x, IntV centre_y) {
+  const IntV dx = hn::Sub(bx, ax);
+  const IntV dy = hn::Sub(by, ay);
+  const IntV value = hn::Sub(hn::Mul(dx, hn::Sub(centre_y, ay)), hn::Mul(dy, hn::Sub(centre_x, ax)));
+  // Negative when dy is, or when dy is 0 and dx positive: then centres on the edge belong to the triangle.
+  const IntV owner = hn::Sub(hn::ShiftLeft<12>(dy), dx);
+  const IntV limit = hn::Add(hn::Set(Ints(), 1), hn::ShiftRight<31>(owner));
+  return {hn::Sub(value, limit), hn::ShiftLeft<raster::kSubpixelBits>(hn::Neg(dy)),
+          hn::ShiftLeft<raster::kSubpixelBits>(dx)};
+}
+
+/// Whether triangles whose bounding boxes hold at most two by two centres cover none of them.
+HWY_INLINE hn::Mask<Ints> miss_all_centres(const Corner& a, const Corner& b, const Corner& c, IntV sign,
+                                           const Centres& columns, const Centres& rows) {
+  const auto centre_of = [](IntV pixel) HWY_ATTR {
+    return hn::Add(hn::ShiftLeft<raster::kSubpixelBits>(pixel), hn::Set(Ints(), raster::kSubpixelUnits / 2));
+  };
+  const IntV x = centre_of(columns.first);
+  const IntV y = centre_of(rows.first);
+  const auto clockwise = hn::Lt(sign, hn::Zero(Ints()));
+  const IntV second_x = hn::IfThenElse(clockwise, c.x, b.x);
+  const IntV second_y = hn::IfThenElse(clockwise, c.y, b.y);
+  const IntV third_x = hn::IfThenElse(clockwise, b.x, c.x);
+  const IntV third_y = hn::IfThenElse(clockwise, b.y, c.y);
+  const Edge e0 = edge(a.x, a.y, second_x, second_y, x, y);
+  const Edge e1 = edge(second_x, second_y, third_x, third_y, x, y);
+  const Edge e2 = edge(third_x, third_y, a.x, a.y, x, y);
+  // Negative where the centre that is so many columns and rows on is outside.
+  const auto outside = [&](auto at) HWY_ATTR { return hn::Or(hn::Or(at(e0), at(e1)), at(e2)); };
+  const IntV here = outside([](const Edge& e) HWY_ATTR { return e.value; });
+  const IntV right = outside([](const Edge& e) HWY_ATTR { return hn::Add(e.value, e.step_x); });
+  const IntV above = outside([](const Edge& e) HWY_ATTR { return hn::Add(e.value, e.step_y); });
+  const IntV across =
+      outside([](const Edge& e) HWY_ATTR { return hn::Add(e.value, hn::Add(e.step_x, e.step_y)); });
+  return hn::Lt(hn::And(hn::And(here, right), hn::And(above, across)), hn::Zero(Ints()));
 }
 
 HWY_INLINE WordV any(const WordV& a, const WordV& b, const WordV& c) { return hn::Or(hn::Or(a, b), c); }
@@ -86,8 +131,15 @@ TriangleClasses ClassifyTriangles(const TriangleBlock& block, const CullRule& ru
     const IntV sign = area_sign(a, b, c);
     const auto kept =
         hn::And(hn::Ne(sign, hn::Zero(Ints())), hn::And(hn::Gt(sign, below), hn::Lt(sign, above)));
-    const auto covers = hn::And(holds_centre(a.x, b.x, c.x), holds_centre(a.y, b.y, c.y));
-    const auto seen = hn::RebindMask(Words(), hn::And(kept, covers));
+    const Centres columns = centres_between(a.x, b.x, c.x);
+    const Centres rows = centres_between(a.y, b.y, c.y);
+    const auto most = hn::Max(columns.count, rows.count);
+    auto covers = hn::And(kept, hn::Gt(hn::Min(columns.count, rows.count), hn::Zero(Ints())));
+    const auto has_few = hn::And(covers, hn::Lt(most, hn::Set(Ints(), 3)));
+    if (!hn::AllFalse(Ints(), has_few)) {
+      covers = hn::AndNot(hn::And(has_few, miss_all_centres(a, b, c, sign, columns, rows)), covers);
+    }
+    const auto seen = hn::RebindMask(Words(), covers);
     classes.visible |= mask_bits(hn::And(hn::And(possible, whole), seen)) << i;
     classes.clipped |= mask_bits(hn::AndNot(whole, possible)) << i;
     negative |= mask_bits(hn::RebindMask(Words(), hn::Lt(sign, hn::Zero(Ints())))) << i;

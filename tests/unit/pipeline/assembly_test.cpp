@@ -2,6 +2,7 @@
 #include "pipeline/assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,81 @@ TEST(Assembly, DropsTrianglesThatMissEveryCentreOrHaveNoArea) {
   EXPECT_EQ(drawn.primitives().size(), 1u);
   EXPECT_EQ(drawn.counts.culled, 2u);
   EXPECT_EQ(drawn.counts.primitives, 3u);
+}
+
+/// A triangle in the window, in 1/256 pixel.
+struct Corners {
+  std::array<int, 3> x{}, y{};
+};
+
+/// Whether a centre is inside, or on a left or lower edge.
+bool covers(const Corners& t, int centre_x, int centre_y) {
+  const raster::PrimitiveRecord record{{t.x[0], t.x[1], t.x[2]}, {t.y[0], t.y[1], t.y[2]}, {}, {}};
+  const std::int64_t sign = doubled_area(record) < 0 ? -1 : 1;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const std::size_t next = (e + 1) % 3;
+    const std::int64_t dx = sign * (t.x[next] - t.x[e]);
+    const std::int64_t dy = sign * (t.y[next] - t.y[e]);
+    const std::int64_t side = dx * (centre_y - t.y[e]) - dy * (centre_x - t.x[e]);
+    const bool owns = dy < 0 || (dy == 0 && dx > 0);
+    if (side < 0 || (side == 0 && !owns)) return false;
+  }
+  return doubled_area(record) != 0;
+}
+
+/// Columns or rows of centres between the least and the greatest coordinate.
+int centres_between(const std::array<int, 3>& v) {
+  const auto [least, most] = std::minmax({v[0], v[1], v[2]});
+  return (most + 127) / 256 - (least + 127) / 256;
+}
+
+bool covers_any(const Corners& t) {
+  const int column = (*std::min_element(t.x.begin(), t.x.end()) + 127) / 256;
+  const int row = (*std::min_element(t.y.begin(), t.y.end()) + 127) / 256;
+  for (int y = row; y < row + centres_between(t.y); ++y) {
+    for (int x = column; x < column + centres_between(t.x); ++x) {
+      if (covers(t, 256 * x + 128, 256 * y + 128)) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Assembly, KeepsSmallTrianglesThatCoverACentreAndNoOthers) {
+  // The window of `Drawn` is 256 × 128 pixels; corners on halves of pixels often meet centres.
+  Random random(22);
+  int kept = 0, dropped = 0;
+  for (int n = 0; n < 600; ++n) {
+    std::vector<Corners> triangles(20);
+    std::vector<float> positions;
+    for (Corners& t : triangles) {
+      const int step = random.below(2) == 0 ? 128 : 1;
+      const int size = random.below(4) == 0 ? 2560 : 640;
+      for (std::size_t k = 0; k < 3; ++k) {
+        t.x[k] = 20480 + random.below(size / step) * step;
+        t.y[k] = 10240 + random.below(size / step) * step;
+        positions.insert(positions.end(),
+                         {static_cast<float>(t.x[k]) / 32768 - 1, static_cast<float>(t.y[k]) / 16384 - 1, 0});
+      }
+    }
+    const Drawn drawn(State{}, geometry_of(positions));
+    std::size_t next = 0;
+    for (const Corners& t : triangles) {
+      const bool is_drawn = next < drawn.primitives().size() &&
+                            std::equal(t.x.begin(), t.x.end(), drawn.primitives()[next].x) &&
+                            std::equal(t.y.begin(), t.y.end(), drawn.primitives()[next].y);
+      next += is_drawn;
+      kept += is_drawn;
+      dropped += !is_drawn;
+      if (covers_any(t)) {
+        EXPECT_TRUE(is_drawn);
+      } else if (centres_between(t.x) <= 2 && centres_between(t.y) <= 2) {
+        EXPECT_FALSE(is_drawn);
+      }
+    }
+    EXPECT_EQ(next, drawn.primitives().size());
+  }
+  EXPECT_GT(kept, 5000);
+  EXPECT_GT(dropped, 2000);
 }
 
 TEST(Assembly, SignOfTheAreaIsExact) {
