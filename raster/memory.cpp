@@ -10,8 +10,7 @@ namespace {
 constexpr std::size_t kCacheLine = 64;
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-/// Of smaller arrays too little would be huge pages, and the rest of the last one would be wasted.
-bool takes_huge_pages(std::size_t bytes) { return bytes >= 2 * kHugePage; }
+bool takes_huge_pages(std::size_t bytes) { return bytes >= kHugePage; }
 
 std::align_val_t alignment(std::size_t bytes) {
   return std::align_val_t{takes_huge_pages(bytes) ? kHugePage : kCacheLine};

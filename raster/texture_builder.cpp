@@ -1,6 +1,7 @@
 #include "raster/texture_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "raster/parallel_rows.h"
@@ -19,11 +20,21 @@ void load_row(const std::uint8_t* bytes, int width, Encoding, std::uint8_t* out)
   std::copy_n(bytes, static_cast<std::size_t>(width) * 4, out);
 }
 
+std::uint16_t from_8_bits(std::uint8_t byte) { return static_cast<std::uint16_t>(byte * 257); }
+
 void load_row(const std::uint8_t* bytes, int width, Encoding encoding, std::uint16_t* out) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(width) * 4; ++k) {
-    const bool is_color = k % 4 != 3;
-    out[k] = is_color && encoding == Encoding::srgb ? kLinear16FromSrgb8[bytes[k]]
-                                                    : static_cast<std::uint16_t>(bytes[k] * 257);
+  const auto load = [&](auto&& decode) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(width) * 4; k += 4) {
+      // One store a texel.
+      const std::array<std::uint16_t, 4> texel{decode(bytes[k]), decode(bytes[k + 1]), decode(bytes[k + 2]),
+                                               from_8_bits(bytes[k + 3])};
+      std::memcpy(out + k, texel.data(), sizeof(texel));
+    }
+  };
+  if (encoding == Encoding::srgb) {
+    load([](std::uint8_t byte) { return kLinear16FromSrgb8[byte]; });
+  } else {
+    load(from_8_bits);
   }
 }
 

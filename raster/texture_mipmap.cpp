@@ -1,5 +1,8 @@
 // Mip chains: enters a level's interior, leaves the next level's. Integer arithmetic throughout, so the same
 // texels everywhere. Knows nothing of aprons, encodings or faces.
+#include <cstring>
+#include <type_traits>
+
 #include "raster/parallel_rows.h"
 #include "raster/texture_level.h"
 
@@ -32,15 +35,29 @@ std::uint64_t total_weight(int full) {
   return full % 2 == 0 ? 2 : static_cast<std::uint64_t>(full);
 }
 
-/// The common case, both sides even: the mean of 2 × 2 texels, written so that compilers vectorize it.
+/// The common case, both sides even: the mean of 2 × 2 texels, two channels of a texel in one sum.
 template <class Channel>
 void halve_even_row(const Channel* lower, const Channel* upper, Channel* out, int out_width) {
-  for (int i = 0; i < out_width; ++i) {
-    for (int c = 0; c < 4; ++c) {
-      const std::uint32_t sum =
-          std::uint32_t{lower[8 * i + c]} + lower[8 * i + 4 + c] + upper[8 * i + c] + upper[8 * i + 4 + c];
-      out[4 * i + c] = static_cast<Channel>((sum + 2) >> 2);
+  using Texel = std::conditional_t<sizeof(Channel) == 1, std::uint32_t, std::uint64_t>;
+  constexpr int kBits = 8 * sizeof(Channel);
+  constexpr Texel kChannel = (Texel{1} << kBits) - 1;
+  constexpr Texel kEven = kChannel << 2 * kBits | kChannel;  // the first and the third channel
+  constexpr Texel kHalf = Texel{2} << 2 * kBits | 2;
+  const auto load = [](const Channel* from) {
+    Texel texel;
+    std::memcpy(&texel, from, sizeof(texel));
+    return texel;
+  };
+  for (int i = 0; i < out_width; ++i, lower += 8, upper += 8, out += 4) {
+    const Texel texels[4] = {load(lower), load(lower + 4), load(upper), load(upper + 4)};
+    Texel even = kHalf;
+    Texel odd = kHalf;
+    for (const Texel texel : texels) {
+      even += texel & kEven;
+      odd += texel >> kBits & kEven;
     }
+    const Texel mean = (even >> 2 & kEven) | (odd >> 2 & kEven) << kBits;
+    std::memcpy(out, &mean, sizeof(mean));
   }
 }
 

@@ -114,8 +114,7 @@ bool read_fully(int descriptor, std::uint8_t* out, std::size_t size) {
 
 ByteBlock ByteBlock::allocate(std::size_t size) {
   ByteBlock block;
-  block.data_ = std::shared_ptr<std::uint8_t[]>(new std::uint8_t[size]);
-  block.size_ = size;
+  block.data_ = std::make_shared<raster::UnclearedArray<std::uint8_t>>(size);
   return block;
 }
 

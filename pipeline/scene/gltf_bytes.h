@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "pipeline/scene/budget.h"
+#include "raster/memory.h"
 
 namespace barrido::scene::gltf {
 
@@ -20,14 +21,15 @@ class ByteBlock {
   /// Memory for `size` bytes, not initialised.
   static ByteBlock allocate(std::size_t size);
 
-  std::span<const std::uint8_t> bytes() const { return {data_.get(), size_}; }
-  std::uint8_t* writable() { return data_.get(); }
-  std::size_t size() const { return size_; }
+  std::span<const std::uint8_t> bytes() const {
+    return data_ ? std::span<const std::uint8_t>(*data_) : std::span<const std::uint8_t>();
+  }
+  std::uint8_t* writable() { return data_ ? data_->data() : nullptr; }
+  std::size_t size() const { return bytes().size(); }
   std::shared_ptr<const void> owner() const { return data_; }
 
  private:
-  std::shared_ptr<std::uint8_t[]> data_;
-  std::size_t size_ = 0;
+  std::shared_ptr<raster::UnclearedArray<std::uint8_t>> data_;
 };
 
 /// Either bytes or the reason why there are none.

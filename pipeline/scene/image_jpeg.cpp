@@ -118,7 +118,7 @@ bool read_rows(Decoder& decoder, std::uint8_t* pixels) {
 }
 
 /// The naive conversion that browsers use where no profile is applied: r = (1 − c)(1 − k).
-void convert_cmyk(std::vector<std::uint8_t>& pixels, bool inverted) {
+void convert_cmyk(PixelBytes& pixels, bool inverted) {
   const unsigned flip = inverted ? 0 : 255;
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
     const unsigned white = pixels[i + 3] ^ flip;

@@ -80,7 +80,7 @@ bool encode(Encoder& encoder, int width, int height, const std::uint8_t* rgba, b
 }  // namespace
 
 std::vector<std::uint8_t> encode_jpeg(const ImageView& image, const WriteOptions& options) {
-  std::vector<std::uint8_t> storage;
+  PixelBytes storage;
   const auto rgba = bytes_of(image, storage);
   std::vector<std::uint8_t> row_pixels(static_cast<std::size_t>(image.width) * 3);
   Encoder encoder;

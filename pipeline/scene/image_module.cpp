@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "pipeline/scene/image_codecs.h"
 #include "pipeline/scene/image_module_loader.h"
@@ -34,9 +36,12 @@ void widen(const T* in, int channels, std::size_t pixel_count, T opaque, T* rgba
   }
 }
 
+template <class T>
+using PixelsOf = std::conditional_t<std::is_same_v<T, std::uint8_t>, PixelBytes, std::vector<T>>;
+
 /// Colours multiplied by alpha become straight; where alpha is 0 they stay as they are.
 template <class T>
-void make_straight(std::vector<T>& rgba, float opaque) {
+void make_straight(PixelsOf<T>& rgba, float opaque) {
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
     const float alpha = static_cast<float>(rgba[i + 3]) / opaque;
     if (!(alpha > 0.0f) || alpha == 1.0f) continue;
@@ -49,12 +54,12 @@ void make_straight(std::vector<T>& rgba, float opaque) {
 }
 
 template <class T>
-std::vector<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
-                           const BarridoOiioHeader& header, T opaque, const std::string& name) {
+PixelsOf<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
+                        const BarridoOiioHeader& header, T opaque, const std::string& name) {
   const int step = std::max(kRowsAtATime / header.row_step, 1) * header.row_step;
   const auto width = static_cast<std::size_t>(header.width);
   std::vector<T> rows(width * static_cast<std::size_t>(std::min(step, header.height) * header.channels));
-  std::vector<T> rgba;
+  PixelsOf<T> rgba;
   for (int begin = 0; begin < header.height; begin += step) {
     const int end = std::min(begin + step, header.height);
     BarridoOiioError error{};
@@ -69,10 +74,10 @@ std::vector<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioRea
 }
 
 template <class T>
-std::vector<T> read_straight(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
-                             const BarridoOiioHeader& header, T opaque, const std::string& name) {
-  std::vector<T> rgba = read_pixels<T>(functions, reader, header, opaque, name);
-  if (header.associated_alpha != 0) make_straight(rgba, static_cast<float>(opaque));
+PixelsOf<T> read_straight(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
+                          const BarridoOiioHeader& header, T opaque, const std::string& name) {
+  PixelsOf<T> rgba = read_pixels<T>(functions, reader, header, opaque, name);
+  if (header.associated_alpha != 0) make_straight<T>(rgba, static_cast<float>(opaque));
   return rgba;
 }
 

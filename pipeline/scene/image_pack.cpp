@@ -1,6 +1,7 @@
 #include "pipeline/scene/image_pack.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -21,9 +22,17 @@ void check_view(const ImageView& image) {
   }
 }
 
+/// Four bytes, the first one lowest.
+std::uint32_t pixel_at(std::span<const std::uint8_t> rgba, std::size_t i) {
+  std::uint32_t pixel;
+  std::memcpy(&pixel, rgba.data() + i, sizeof(pixel));
+  static_assert(std::endian::native == std::endian::little);
+  return pixel;
+}
+
 }  // namespace
 
-std::span<const std::uint8_t> bytes_of(const ImageView& image, std::vector<std::uint8_t>& storage) {
+std::span<const std::uint8_t> bytes_of(const ImageView& image, PixelBytes& storage) {
   check_view(image);
   if (!image.rgba8.empty()) return image.rgba8;
   storage.resize(image.rgba_float.size());
@@ -49,9 +58,9 @@ bool is_opaque(std::span<const std::uint8_t> rgba) {
   constexpr std::size_t kBlock = 4096;  // Bytes looked at between two chances to stop.
   for (std::size_t begin = 0; begin < rgba.size(); begin += kBlock) {
     const std::size_t end = std::min(begin + kBlock, rgba.size());
-    std::uint8_t all = 255;
-    for (std::size_t i = begin + 3; i < end; i += 4) all &= rgba[i];
-    if (all != 255) return false;
+    std::uint32_t all = ~std::uint32_t{0};
+    for (std::size_t i = begin; i < end; i += 4) all &= pixel_at(rgba, i);
+    if (all >> 24 != 255) return false;
   }
   return true;
 }
@@ -66,10 +75,11 @@ void compose_over_black(std::span<const std::uint8_t> rgba, std::uint8_t* rgb) {
 }
 
 void drop_alpha(std::span<const std::uint8_t> rgba, std::uint8_t* rgb) {
-  for (std::size_t i = 0; i < rgba.size(); i += 4, rgb += 3) {
-    rgb[0] = rgba[i];
-    rgb[1] = rgba[i + 1];
-    rgb[2] = rgba[i + 2];
+  const std::size_t pixels = rgba.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const std::uint32_t pixel = pixel_at(rgba, 4 * i);
+    // A fourth byte goes along, for the next pixel to overwrite; not after the last one.
+    std::memcpy(rgb + 3 * i, &pixel, i + 1 < pixels ? 4 : 3);
   }
 }
 

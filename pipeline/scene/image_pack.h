@@ -12,7 +12,7 @@ namespace barrido::scene {
 
 /// The view's bytes, or its floats clamped to [0, 1] and encoded as sRGB where it has no bytes; `storage`
 /// holds the latter. @throws std::invalid_argument where the arrays do not fit the size.
-std::span<const std::uint8_t> bytes_of(const ImageView& image, std::vector<std::uint8_t>& storage);
+std::span<const std::uint8_t> bytes_of(const ImageView& image, PixelBytes& storage);
 
 /// The view's floats, or its bytes decoded from sRGB where it has no floats; `storage` holds the latter.
 /// @throws std::invalid_argument where the arrays do not fit the size.

@@ -18,12 +18,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Bytes that are not cleared first: most of a compressor's worst case is never touched.
-struct Buffer {
-  std::unique_ptr<std::uint8_t[]> data;
-  std::size_t size = 0;
-
-  explicit Buffer(std::size_t bytes) : data(new std::uint8_t[bytes]), size(bytes) {}
-};
+using Buffer = PixelBytes;
 
 struct CompressorDeleter {
   void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
@@ -63,7 +58,7 @@ Buffer filter_rows(const Rows& rows, int begin, int end, Filter filter) {
   Buffer filtered((bytes + 1) * static_cast<std::size_t>(end - begin));
   Bytes row(bytes), previous(bytes, 0);
   if (filter == Filter::up && begin > 0) rows.copy_row(begin - 1, previous.data());
-  std::uint8_t* out = filtered.data.get();
+  std::uint8_t* out = filtered.data();
   for (int y = begin; y < end; ++y, out += bytes) {
     *out++ = static_cast<std::uint8_t>(filter);
     if (filter == Filter::none) {
@@ -79,8 +74,10 @@ Buffer filter_rows(const Rows& rows, int begin, int end, Filter filter) {
 
 /// A zlib stream (RFC 1950).
 Buffer compress(libdeflate_compressor* compressor, const Buffer& raw) {
-  Buffer out(libdeflate_zlib_compress_bound(compressor, raw.size));
-  out.size = libdeflate_zlib_compress(compressor, raw.data.get(), raw.size, out.data.get(), out.size);
+  Buffer out(libdeflate_zlib_compress_bound(compressor, raw.size()));
+  const std::size_t size =
+      libdeflate_zlib_compress(compressor, raw.data(), raw.size(), out.data(), out.size());
+  out.resize(size);
   return out;
 }
 
@@ -94,7 +91,7 @@ Filter choose_filter(const Rows& rows, libdeflate_compressor* compressor) {
     const int begin = (rows.height - kBandRows) * (band + 1) / (kBands + 1);
     for (const Filter filter : {Filter::none, Filter::up}) {
       sizes[filter == Filter::up ? 1 : 0] +=
-          compress(compressor, filter_rows(rows, begin, begin + kBandRows, filter)).size;
+          compress(compressor, filter_rows(rows, begin, begin + kBandRows, filter)).size();
     }
   }
   // Narrow bands hide most repetitions, so that `up` must win clearly: measured on rendered pictures, bands a
@@ -135,7 +132,7 @@ void append_header(Bytes& png, const Rows& rows) {
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const ImageView& image, const WriteOptions& options) {
-  Bytes storage;
+  PixelBytes storage;
   const auto rgba = bytes_of(image, storage);
   const bool opaque = is_opaque(rgba);
   const Rows rows{image.width, image.height, opaque || !options.write_alpha ? 3 : 4, opaque, rgba};
@@ -147,9 +144,7 @@ std::vector<std::uint8_t> encode_png(const ImageView& image, const WriteOptions&
 
   Bytes png(kSignature.begin(), kSignature.end());
   append_header(png, rows);
-  append_chunk(png, "IDAT", [&] {
-    png.insert(png.end(), compressed.data.get(), compressed.data.get() + compressed.size);
-  });
+  append_chunk(png, "IDAT", [&] { png.insert(png.end(), compressed.begin(), compressed.end()); });
   append_chunk(png, "IEND", [] {});
   return png;
 }

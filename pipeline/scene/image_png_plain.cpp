@@ -171,18 +171,18 @@ bool decode_plain_png(std::span<const std::uint8_t> file, int channels, Image& i
       1 + static_cast<std::size_t>(image.width) * static_cast<std::size_t>(channels);
   const std::size_t raw_bytes = row_bytes * static_cast<std::size_t>(image.height);
   if (raw_bytes > kMostRawBytes) return false;
-  const std::unique_ptr<std::uint8_t[]> raw(new std::uint8_t[raw_bytes]);
+  PixelBytes raw(raw_bytes);
   std::vector<std::uint8_t> storage;
-  if (!unpack(compressed_data(file, storage), raw.get(), raw_bytes)) return false;
+  if (!unpack(compressed_data(file, storage), raw.data(), raw_bytes)) return false;
   switch (channels) {
     case 1:
-      return undo_filters<1>(raw.get(), image);
+      return undo_filters<1>(raw.data(), image);
     case 2:
-      return undo_filters<2>(raw.get(), image);
+      return undo_filters<2>(raw.data(), image);
     case 3:
-      return undo_filters<3>(raw.get(), image);
+      return undo_filters<3>(raw.data(), image);
     default:
-      return undo_filters<4>(raw.get(), image);
+      return undo_filters<4>(raw.data(), image);
   }
 }
 

@@ -34,8 +34,8 @@ Recognized recognize(const std::filesystem::path& path, const ImageLimits& limit
 }
 
 /// Integers in 0..`most` as fractions.
-template <class T>
-std::vector<float> fractions(const std::vector<T>& values, float most) {
+template <class Values>
+std::vector<float> fractions(const Values& values, float most) {
   std::vector<float> result(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) result[i] = static_cast<float>(values[i]) / most;
   return result;

@@ -41,7 +41,7 @@ void write_floats(const fs::path& file, const fs::path& target, const FormatTrai
 
 void write_bytes(const fs::path& file, const fs::path& target, const FormatTraits& format,
                  const ImageView& image, const WriteOptions& options) {
-  std::vector<std::uint8_t> storage;
+  PixelBytes storage;
   std::span<const std::uint8_t> pixels = bytes_of(image, storage);
   const bool alpha = format.has_alpha && options.write_alpha && !is_opaque(pixels);
   std::vector<std::uint8_t> packed;

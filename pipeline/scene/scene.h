@@ -19,6 +19,7 @@
 #include <glm/vec4.hpp>
 
 #include "pipeline/geometry.h"
+#include "raster/memory.h"
 #include "raster/texture.h"
 
 namespace barrido::scene {
@@ -74,12 +75,15 @@ class IndexArray {
   std::span<const std::uint32_t> values_;
 };
 
+/// Bytes of pixels; new elements are left as the memory is.
+using PixelBytes = raster::UnclearedArray<std::uint8_t>;
+
 /// A decoded picture: straight RGBA, 8 bits, top row first (row 0 is t = 0, glTF's convention).
 struct Image {
   std::string name;  ///< File name or "image 3"; for messages.
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;
+  PixelBytes rgba;
 };
 
 /// A picture with its sampler; filters as OpenGL names them.

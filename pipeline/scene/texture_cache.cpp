@@ -1,7 +1,9 @@
 #include "pipeline/scene/texture_cache.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -30,19 +32,22 @@ ByteTable multiplied(float factor, raster::Encoding encoding) {
   return table;
 }
 
-std::vector<std::uint8_t> changed_texels(const Image& image, const TexelUse& use) {
+PixelBytes changed_texels(const Image& image, const TexelUse& use) {
   std::array<ByteTable, 3> tables;
   for (int channel = 0; channel < 3; ++channel) {
     tables[static_cast<std::size_t>(channel)] = multiplied(use.factor[channel], use.encoding);
   }
-  std::vector<std::uint8_t> changed(image.rgba.size());
+  PixelBytes changed(image.rgba.size());
   const std::size_t pitch = static_cast<std::size_t>(image.width) * 4;
+  const std::uint8_t alpha = use.opaque ? 255 : 0;
   raster::for_each_row(image.width, image.height, [&](int row) {
-    const std::size_t begin = static_cast<std::size_t>(row) * pitch;
-    for (std::size_t i = begin; i < begin + pitch; i += 4) {
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        changed[i + channel] = tables[channel][image.rgba[i + channel]];
-      changed[i + 3] = use.opaque ? 255 : image.rgba[i + 3];
+    const std::uint8_t* in = image.rgba.data() + static_cast<std::size_t>(row) * pitch;
+    std::uint8_t* out = changed.data() + static_cast<std::size_t>(row) * pitch;
+    for (std::size_t i = 0; i < pitch; i += 4) {
+      // One store a texel.
+      const std::array<std::uint8_t, 4> texel{tables[0][in[i]], tables[1][in[i + 1]], tables[2][in[i + 2]],
+                                              static_cast<std::uint8_t>(in[i + 3] | alpha)};
+      std::memcpy(out + i, texel.data(), texel.size());
     }
   });
   return changed;
@@ -128,7 +133,7 @@ const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
 raster::Texture TextureCache::build(const Image& image, const TexelUse& use, bool removes_alpha,
                                     const raster::TextureOptions& options) {
   if (use.mip_colors) return colored_levels(image.width, image.height, options);
-  std::vector<std::uint8_t> own;
+  PixelBytes own;
   std::span<const std::uint8_t> rgba = image.rgba;
   if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed_texels(image, use);
   return raster::Texture::make_2d({image.width, image.height, rgba}, options);

@@ -31,7 +31,7 @@ class ModuleFormats : public testing::Test {
     const Image image = read_image(folder_ / name);
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
-    return image.rgba;
+    return pixels(image);
   }
 
   FloatImage round_trip(const std::string& name, int width, int height, const std::vector<float>& rgba,
@@ -148,7 +148,7 @@ TEST_F(ModuleFormats, HdrKeepsValuesOverTheMaximum) {
 
 TEST_F(ModuleFormats, FloatsAreClampedAndEncodedAsBytes) {
   write_image(folder_ / "a.exr", {1, 1, {}, std::vector<float>{-1.0f, 0.5f, 7.0f, 1.0f}});
-  EXPECT_EQ(read_image(folder_ / "a.exr").rgba, (Bytes{0, 188, 255, 255}));
+  EXPECT_EQ(pixels(read_image(folder_ / "a.exr")), (Bytes{0, 188, 255, 255}));
 }
 
 TEST_F(ModuleFormats, EncodedInMemoryAsInAFile) {

@@ -129,7 +129,7 @@ TEST(DecodePng, OneColorOfATrueColorPictureMayBeTransparent) {
     return x == 0 ? 9u - static_cast<unsigned>(c) : 50u;
   };
   const Image image = decode_image(file.build(), "x.png");
-  EXPECT_EQ(image.rgba, (Bytes{9, 8, 7, 0, 50, 50, 50, 255}));
+  EXPECT_EQ(pixels(image), (Bytes{9, 8, 7, 0, 50, 50, 50, 255}));
 }
 
 TEST(DecodePng, EveryTruncationIsRefused) {
@@ -184,7 +184,7 @@ TEST(EncodePng, KeepsEveryPixel) {
       const Image image = decode_image(encode_png({61, 47, rgba, {}}, options), "x.png");
       EXPECT_EQ(image.width, 61);
       EXPECT_EQ(image.height, 47);
-      EXPECT_EQ(image.rgba, rgba) << "opaque " << opaque << ", level " << level;
+      EXPECT_EQ(pixels(image), rgba) << "opaque " << opaque << ", level " << level;
     }
   }
 }
@@ -198,7 +198,7 @@ TEST(EncodePng, GradientsAreFilteredAndKept) {
   }
   const Bytes png = encode_png({256, 256, rgba, {}});
   EXPECT_LT(png.size(), rgba.size() / 40);
-  EXPECT_EQ(decode_image(png, "x.png").rgba, rgba);
+  EXPECT_EQ(pixels(decode_image(png, "x.png")), rgba);
 }
 
 TEST(EncodePng, WithoutAlphaIsComposedOverBlack) {
@@ -206,7 +206,7 @@ TEST(EncodePng, WithoutAlphaIsComposedOverBlack) {
   WriteOptions options;
   options.write_alpha = false;
   const Image image = decode_image(encode_png({3, 1, rgba, {}}, options), "x.png");
-  EXPECT_EQ(image.rgba, (Bytes{102, 51, 25, 255, 0, 0, 0, 255, 9, 8, 7, 255}));
+  EXPECT_EQ(pixels(image), (Bytes{102, 51, 25, 255, 0, 0, 0, 255, 9, 8, 7, 255}));
 }
 
 TEST(EncodePng, SameBytesEveryTime) {

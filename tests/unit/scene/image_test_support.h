@@ -22,6 +22,8 @@ namespace barrido::scene::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
+inline Bytes pixels(const Image& image) { return {image.rgba.begin(), image.rgba.end()}; }
+
 /// A linear congruential generator (Knuth's MMIX constants), the same numbers everywhere.
 class Noise {
  public:

@@ -158,7 +158,7 @@ TEST(ImportImages, FromUriAndFromBufferView) {
       0x2f, 0x0d, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
   model.document["images"][0]["bufferView"] = model.add_view(png);
   const Scene by_view = import_gltf(folder.write("model.glb", model.glb()));
-  EXPECT_EQ(by_view.images[0].rgba, (std::vector<std::uint8_t>{255, 0, 0, 255}));
+  EXPECT_EQ(by_view.images[0].rgba, (PixelBytes{255, 0, 0, 255}));
   EXPECT_EQ(by_view.images[0].name, "images[0]");
 }
 
