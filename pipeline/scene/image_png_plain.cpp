@@ -18,6 +18,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 /// Four channels as eight 16-bit lanes, of which four are in use.
 using Channels = std::int16_t __attribute__((vector_size(16)));
+using Words = std::uint32_t __attribute__((vector_size(16)));
 
 constexpr std::size_t kSignatureBytes = 8;
 constexpr std::size_t kChunkOverhead = 12;  // length, type, checksum
@@ -91,22 +92,28 @@ std::uint32_t add(std::uint32_t a, std::uint32_t b) {
 std::uint32_t mean(std::uint32_t a, std::uint32_t b) { return (a & b) + (((a ^ b) & 0xfefefefe) >> 1); }
 
 Channels channels(std::uint32_t pixel) {
-  return Channels{static_cast<std::int16_t>(pixel & 0xff), static_cast<std::int16_t>(pixel >> 8 & 0xff),
-                  static_cast<std::int16_t>(pixel >> 16 & 0xff), static_cast<std::int16_t>(pixel >> 24)};
+  using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
+  const auto bytes = reinterpret_cast<Bytes16>(Words{pixel, 0, 0, 0});
+  return reinterpret_cast<Channels>(
+      __builtin_shufflevector(bytes, Bytes16{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+}
+
+/// Of channels in [0, 255].
+std::uint32_t pixel_of(Channels channels) {
+  using Bytes8 = std::uint8_t __attribute__((vector_size(8)));
+  const Bytes8 bytes = __builtin_convertvector(channels, Bytes8);
+  std::uint32_t pixel;
+  std::memcpy(&pixel, &bytes, sizeof(pixel));
+  return pixel;
 }
 
 /// Of left (a), above (b) and above left (c) what is nearest to a + b − c, in this order (section 9.4).
-std::uint32_t paeth(std::uint32_t left, std::uint32_t above, std::uint32_t above_left) {
-  const Channels a = channels(left);
-  const Channels b = channels(above);
-  const Channels c = channels(above_left);
+Channels paeth(Channels a, Channels b, Channels c) {
   const auto magnitude = [](Channels v) { return v < 0 ? -v : v; };
   const Channels to_a = magnitude(b - c);
   const Channels to_b = magnitude(a - c);
   const Channels to_c = magnitude((b - c) + (a - c));
-  const Channels chosen = ((to_a <= to_b) & (to_a <= to_c)) ? a : (to_b <= to_c ? b : c);
-  return static_cast<std::uint32_t>(chosen[0]) | static_cast<std::uint32_t>(chosen[1]) << 8 |
-         static_cast<std::uint32_t>(chosen[2]) << 16 | static_cast<std::uint32_t>(chosen[3]) << 24;
+  return ((to_a <= to_b) & (to_a <= to_c)) ? a : (to_b <= to_c ? b : c);
 }
 
 enum Filter : std::uint8_t { kNone, kSub, kUp, kAverage, kPaeth };
@@ -122,6 +129,21 @@ void undo_row(const std::uint8_t* raw, const std::uint32_t* above, std::uint32_t
     left = add(stored_pixel<kChannels>(raw), predict(left, above[x], above_left)) | kOpaque;
     above_left = above[x];
     out[x] = left;
+  }
+}
+
+/// The same for the Paeth filter, whose pixels wait for each other: what stands left stays in its register.
+template <int kChannels>
+void undo_paeth_row(const std::uint8_t* raw, const std::uint32_t* above, std::uint32_t* out, int width) {
+  constexpr std::uint32_t kOpaque = kChannels == 2 || kChannels == 4 ? 0 : 0xff000000u;
+  Channels left{};
+  Channels above_left{};
+  for (int x = 0; x < width; ++x, raw += kChannels) {
+    const Channels up = channels(above[x]);
+    left = (channels(stored_pixel<kChannels>(raw)) + paeth(left, up, above_left)) & 0xff;
+    if constexpr (kOpaque != 0) left[3] = 255;
+    above_left = up;
+    out[x] = pixel_of(left);
   }
 }
 
@@ -144,7 +166,8 @@ bool undo_filter(std::uint8_t filter, const std::uint8_t* raw, const std::uint32
     case kAverage:
       return undo([](Pixel left, Pixel up, Pixel) { return mean(left, up); });
     case kPaeth:
-      return undo(paeth);
+      undo_paeth_row<kChannels>(raw, above, out, width);
+      return true;
     default:
       return false;
   }
