@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/memory.h"
+
 namespace barrido::raster {
 namespace {
 
@@ -12,9 +14,11 @@ int first_centre(std::int32_t coordinate) { return (coordinate + kSubpixelUnits 
 /// Bounds of triangles are exact; points and lines get a margin of their width.
 PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
   if (chunk.topology == Topology::triangles) {
-    const auto [x_min, x_max] = std::minmax({p.x[0], p.x[1], p.x[2]});
-    const auto [y_min, y_max] = std::minmax({p.y[0], p.y[1], p.y[2]});
-    return {first_centre(x_min), first_centre(y_min), first_centre(x_max), first_centre(y_max)};
+    // Not std::minmax, whose branches nobody can foresee.
+    const auto least = [](const std::int32_t* v) { return std::min(std::min(v[0], v[1]), v[2]); };
+    const auto most = [](const std::int32_t* v) { return std::max(std::max(v[0], v[1]), v[2]); };
+    return {first_centre(least(p.x)), first_centre(least(p.y)), first_centre(most(p.x)),
+            first_centre(most(p.y))};
   }
   const int last = chunk.topology == Topology::lines ? 1 : 0;
   const float width = chunk.topology == Topology::lines ? chunk.line_width : chunk.point_size;
@@ -35,16 +39,19 @@ PixelBox pixel_box(const PrimitiveRecord& primitive, const PrimitiveChunk& chunk
   return box;
 }
 
+/// Of a box in the frame that is not empty.
 PixelBox tiles_of(const PixelBox& pixels) {
-  return {pixels.x_begin / kTileWidth, pixels.y_begin / kTileHeight, (pixels.x_end - 1) / kTileWidth + 1,
-          (pixels.y_end - 1) / kTileHeight + 1};
+  const auto column = [](int x) { return static_cast<int>(static_cast<unsigned>(x) / kTileWidth); };
+  const auto row = [](int y) { return static_cast<int>(static_cast<unsigned>(y) / kTileHeight); };
+  return {column(pixels.x_begin), row(pixels.y_begin), column(pixels.x_end - 1) + 1,
+          row(pixels.y_end - 1) + 1};
 }
 
 }  // namespace
 
 BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid) : chunk_(std::move(chunk)) {
   const std::size_t count = chunk_.primitives.size();
-  std::vector<PixelBox> boxes(count);
+  UnclearedArray<PixelBox> boxes(count);
   tiles_ = {grid.columns, grid.rows, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     const PixelBox pixels = pixel_box(chunk_.primitives[i], chunk_, grid);
