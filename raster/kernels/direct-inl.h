@@ -76,17 +76,18 @@ HWY_INLINE bool colors_are_unit(const InterpolatedSpan& span, int color, int beg
   return hn::AllTrue(d, hn::And(is_unit_at(begin), is_unit_at(end - 1)));
 }
 
+/// Whether the colours of a span are divided by q.
+inline bool divides(const VaryingLayout& layout, const InterpolatedSpan& span) {
+  return layout.color >= layout.affine_count && !span.constant_q;
+}
+
 /// Interpolated colours of one span, blended with what is there unless Blend is Replace. kIsUnit: they are in
-/// [0, 1] before they are blended, and divided by no q.
-template <class Blend, bool kIsUnit>
+/// [0, 1] before they are blended, and divided by no q. kOneAlpha: so are they, and alpha does not change.
+template <class Blend, bool kIsUnit, bool kOneAlpha>
 class SmoothPixels {
  public:
   SmoothPixels(const VaryingLayout& layout, const InterpolatedSpan& span, const Blend& blend)
       : span_(span), blend_(blend), color_(kRecordVaryings + layout.color), divides_(divides(layout, span)) {}
-
-  static bool divides(const VaryingLayout& layout, const InterpolatedSpan& span) {
-    return layout.color >= layout.affine_count && !span.constant_q;
-  }
 
   /// The vector of pixels from column x on, which are `k` columns from the anchor.
   HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask, V k) const {
@@ -96,7 +97,8 @@ class SmoothPixels {
       return hn::Add(hn::Set(d, span_.row[quantity]),
                      hn::Mul(hn::Set(d, span_.planes->slope_x[quantity]), k));
     };
-    Rgba color{{linear(color_), linear(color_ + 1), linear(color_ + 2), linear(color_ + 3)}};
+    Rgba color{{linear(color_), linear(color_ + 1), linear(color_ + 2),
+                kOneAlpha ? hn::Set(d, span_.row[color_ + 3]) : linear(color_ + 3)}};
     if (!kIsUnit && divides_) {
       const V q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
       const V w = hn::Div(one(), q);

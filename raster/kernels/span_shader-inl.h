@@ -182,8 +182,8 @@ class SpanShader {
     const bool plain_depth = !chunk_->state->polygon_offset.enabled && has_plain_depth(r0, r1, r2);
     if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth, true};
     const int color = kRecordVaryings + layout.color;
-    const bool divides = layout.color >= layout.affine_count && !span_.constant_q;
-    return {planes_, nullptr, color, divides, plain_depth, has_plain_colors(r0, r1, r2, color)};
+    return {
+        planes_, nullptr, color, divides(layout, span_), plain_depth, has_plain_colors(r0, r1, r2, color)};
   }
 
   SpanDepth span_depth() const {
@@ -220,11 +220,13 @@ class SpanShader {
   template <class Blend, class Draw>
   HWY_INLINE void with_smooth_pixels(int begin, int end, const Blend& blend, Draw&& draw) {
     const VaryingLayout& layout = chunk_->state->varyings;
-    if (!SmoothPixels<Blend, true>::divides(layout, span_) &&
-        colors_are_unit(span_, kRecordVaryings + layout.color, begin, end)) {
-      draw(SmoothPixels<Blend, true>(layout, span_, blend));
+    const int color = kRecordVaryings + layout.color;
+    if (divides(layout, span_) || !colors_are_unit(span_, color, begin, end)) {
+      draw(SmoothPixels<Blend, false, false>(layout, span_, blend));
+    } else if (planes_.slope_x[color + 3] == 0.0f) {
+      draw(SmoothPixels<Blend, true, true>(layout, span_, blend));
     } else {
-      draw(SmoothPixels<Blend, false>(layout, span_, blend));
+      draw(SmoothPixels<Blend, true, false>(layout, span_, blend));
     }
   }
 
