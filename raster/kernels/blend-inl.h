@@ -152,8 +152,8 @@ struct BlendGeneral {
   }
 };
 
-/// A channel in [0, 1 + 2^-19], rounded to 8 bits: adding 2^23 leaves the nearest integer, ties to even, in
-/// the low bits of the sum. Above it stands what a shift to the left has to push out or a mask to remove.
+/// A channel in [-2^-19, 1 + 2^-19], rounded to 8 bits: adding 2^23 leaves the nearest integer, ties to even,
+/// in the low bits of the sum. Above it stands what a shift to the left has to push out or a mask to remove.
 HWY_INLINE auto round8(V channel) {
   const hn::RebindToSigned<F> di;
   return hn::BitCast(di, hn::Add(hn::Mul(channel, hn::Set(F(), 255.0f)), hn::Set(F(), 8388608.0f)));

@@ -38,9 +38,9 @@ inline bool has_plain_depth(const float* r0, const float* r1, const float* r2) {
   return is_inside(r0[kRecordDepth]) && is_inside(r1[kRecordDepth]) && is_inside(r2[kRecordDepth]);
 }
 
-/// Whether colours between three vertex records need neither clamping nor an alpha of their own: q alike, all
-/// from 0 to 1, alpha 1. Rounding then moves a colour by less than 2^-20, which changes no 8-bit colour, and
-/// alpha, whose plane is that of q, is as near to 1 after the division.
+/// Whether colours between three vertex records, which are to be divided by q or have q 1, need neither
+/// clamping nor an alpha of their own: q alike, all from 0 to 1, alpha 1. Rounding then moves a colour by
+/// less than 2^-20, which changes no 8-bit colour, and alpha, whose plane is that of q, is as near to 1.
 inline bool has_plain_colors(const float* r0, const float* r1, const float* r2, int color) {
   const hn::FixedTag<float, 4> d;
   const float least_q = std::min(std::min(r0[kRecordQ], r1[kRecordQ]), r2[kRecordQ]);

@@ -182,8 +182,9 @@ class SpanShader {
     const bool plain_depth = !chunk_->state->polygon_offset.enabled && has_plain_depth(r0, r1, r2);
     if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth, true};
     const int color = kRecordVaryings + layout.color;
-    return {
-        planes_, nullptr, color, divides(layout, span_), plain_depth, has_plain_colors(r0, r1, r2, color)};
+    const bool is_divided = divides(layout, span_);
+    const bool plain_colors = (is_divided || span_.constant_q) && has_plain_colors(r0, r1, r2, color);
+    return {planes_, nullptr, color, is_divided, plain_depth, plain_colors};
   }
 
   SpanDepth span_depth() const {

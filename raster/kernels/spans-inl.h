@@ -51,10 +51,14 @@ inline SortedCorners sort_by_y(const PrimitiveRecord& p) {
 
 /// The lanes of a mask as bits, lane 0 lowest.
 template <class D>
-HWY_INLINE unsigned mask_bits(D d, hn::Mask<D> mask) {
+HWY_INLINE unsigned mask_bits([[maybe_unused]] D d, hn::Mask<D> mask) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+  return static_cast<unsigned>(mask.raw);  // no detour through memory
+#else
   std::uint8_t bytes[8] = {0};
   hn::StoreMaskBits(d, mask, bytes);
   return bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
+#endif
 }
 
 /// An edge from its lower to its upper end: it crosses the centre line of row r of the tile at column
