@@ -79,7 +79,7 @@ class TriangleBlocks {
     for (int row = spans.row_begin; row < spans.row_end; row += kGroupRows) {
       take_rows(spans, row);
       find_anchors(paint, row);
-      if (is_usual_ && !is_cut_ && paint.has_plain_depth) {
+      if (is_usual_ && paint.has_plain_depth) {
         draw_colored<true>(row, paint);
       } else {
         draw_colored<false>(row, paint);
@@ -126,7 +126,6 @@ class TriangleBlocks {
       hn::Store(begin, di, begin_ + i);
       hn::Store(limit, di, end_ + i);
       hn::Store(hn::ConvertTo(d, first), d, anchor_ + i);
-      hn::Store(hn::ConvertTo(d, begin), d, from_ + i);
       hn::Store(hn::ConvertTo(d, limit), d, to_ + i);
     }
   }
@@ -195,8 +194,9 @@ class TriangleBlocks {
     const int at = (group + i) * kTileWidth + x;
     const V column = hn::Add(hn::Load(d, kColumnOf), hn::Set(d, static_cast<float>(x)));
     const V k = hn::Sub(column, in_rows(anchor_, i));  // columns from the anchor on
-    const V begin = kPlainDepth ? k : hn::Sub(column, in_rows(from_, i));
-    auto mask = hn::And(hn::Ge(begin, hn::Zero(d)), hn::Lt(column, in_rows(to_, i)));
+    // No column is before what is drawn of its row: that begins at the anchor or, with the blocks, at the
+    // scissor's edge.
+    auto mask = hn::And(hn::Ge(k, hn::Zero(d)), hn::Lt(column, in_rows(to_, i)));
     V z = value(depth_, i, paint, kRecordDepth, k);
     const V stored = load_block(d, surface_.depth + at);
     if constexpr (kPlainDepth) {
@@ -295,7 +295,7 @@ class TriangleBlocks {
   alignas(
       64) std::int32_t begin_[kGroupRows];  ///< Columns to draw, from kTileWidth to 0 where there are none.
   alignas(64) std::int32_t end_[kGroupRows];
-  alignas(64) Group anchor_, from_, to_;    ///< first_, begin_, end_.
+  alignas(64) Group anchor_, to_;           ///< first_ and end_.
   alignas(64) Group depth_, q_, color_[4];  ///< At the anchors.
 };
 

@@ -57,7 +57,8 @@ class GeometryBuilder {
   /// How q, depth and the varyings of this chunk's vertices are distributed.
   void choose_vertex_ranges() {
     perspective_ = random_.chance(60);
-    q_low_ = random_.pick({0.25f, 0.01f, 1e-4f});
+    q_low_ = random_.pick({1.2f, 0.25f, 0.01f, 1e-4f});
+    is_lit_ = random_.chance(40);
     flat_depth_ = random_.chance(40);
     varying_scale_ = random_.pick({1.0f, 1.0f, 4.0f, 60.0f});
     depth_low_ = random_.chance(15) ? -0.3f : 0.0f;
@@ -79,6 +80,12 @@ class GeometryBuilder {
     return random_.number(-0.5f * varying_scale_, varying_scale_);
   }
 
+  /// Varying k of a vertex: an opaque colour as lighting leaves it, or anything.
+  float random_varying(int k) {
+    if (!is_lit_ || random_.chance(2)) return random_varying();
+    return k == 3 || random_.chance(10) ? 1.0f : random_.number(0.0f, 1.0f);
+  }
+
   std::uint32_t add_vertex(float depth) {
     const VaryingLayout& layout = chunk_.state->varyings;
     const auto stride = static_cast<std::size_t>(record_stride(layout.count));
@@ -89,7 +96,7 @@ class GeometryBuilder {
     record[kRecordDepth] = depth;
     record[kRecordQ] = q;
     for (int k = 0; k < layout.count; ++k) {
-      const float value = random_varying();
+      const float value = random_varying(k);
       record[kRecordVaryings + k] = k < layout.affine_count ? value : value * q;
     }
     if (options_.hostile && random_.chance(2)) record[random_.between(0, 1)] = random_varying();
@@ -262,6 +269,7 @@ class GeometryBuilder {
   bool flat_depth_ = false;
   float q_low_ = 0.25f;
   float varying_scale_ = 1.0f;
+  bool is_lit_ = false;
   float depth_low_ = 0.0f;
   float depth_high_ = 1.0f;
   float primitive_depth_ = 0.5f;
