@@ -29,7 +29,7 @@ struct BlockPaint {
   const float* flat;  ///< Null: interpolated.
   int color;
   bool divides;
-  bool has_plain_depth, has_plain_colors;  ///< See has_plain_depth() and has_plain_colors().
+  bool is_plain;  ///< See has_plain_depth() and, unless flat, has_plain_colors().
 };
 
 /// Whether depths between three vertex records need no clamping: rounding moves them by less than 2^-20.
@@ -79,11 +79,7 @@ class TriangleBlocks {
     for (int row = spans.row_begin; row < spans.row_end; row += kGroupRows) {
       take_rows(spans, row);
       find_anchors(paint, row);
-      if (is_usual_ && paint.has_plain_depth) {
-        draw_colored<true>(row, paint);
-      } else {
-        draw_colored<false>(row, paint);
-      }
+      draw_colored(row, paint);
     }
   }
 
@@ -149,7 +145,7 @@ class TriangleBlocks {
       };
       find(kRecordDepth, depth_);
       if (paint.flat != nullptr) continue;
-      for (int c = 0; c < (paint.has_plain_colors ? 3 : 4); ++c) find(paint.color + c, color_[c]);
+      for (int c = 0; c < (takes_plain_way(paint) ? 3 : 4); ++c) find(paint.color + c, color_[c]);
       if (paint.divides) find(kRecordQ, q_);
     }
   }
@@ -164,30 +160,33 @@ class TriangleBlocks {
                           hn::Set(d, values[i + kRows - 1]), lower);
   }
 
-  template <bool kPlainDepth>
+  bool takes_plain_way(const BlockPaint& paint) const { return is_usual_ && paint.is_plain; }
+
   HWY_INLINE void draw_colored(int row, const BlockPaint& paint) {
+    const bool plain = takes_plain_way(paint);
     if (paint.flat != nullptr) {
-      draw_group<kPlainDepth>(row, paint, OneColor(paint.flat));
-    } else if (!paint.has_plain_colors) {
-      draw_group<kPlainDepth>(row, paint, AnyColors{*this, paint});
+      const OneColor color(paint.flat);
+      plain ? draw_group<true>(row, paint, color) : draw_group<false>(row, paint, color);
+    } else if (!plain) {
+      draw_group<false>(row, paint, AnyColors{*this, paint});
     } else if (paint.divides) {
-      draw_group<kPlainDepth>(row, paint, PlainColors<true>{*this, paint});
+      draw_group<true>(row, paint, PlainColors<true>{*this, paint});
     } else {
-      draw_group<kPlainDepth>(row, paint, PlainColors<false>{*this, paint});
+      draw_group<true>(row, paint, PlainColors<false>{*this, paint});
     }
   }
 
-  template <bool kPlainDepth, class Colors>
+  template <bool kPlain, class Colors>
   HWY_INLINE void draw_group(int row, const BlockPaint& paint, const Colors& colors) {
     for (int i = 0; i < kGroupRows; i += kRows) {
       const int end = std::max(end_[i], end_[i + kRows - 1]);
       for (int x = std::min(begin_[i], begin_[i + kRows - 1]); x < end; x += kColumns) {
-        draw_block<kPlainDepth>(row, i, x, paint, colors);
+        draw_block<kPlain>(row, i, x, paint, colors);
       }
     }
   }
 
-  template <bool kPlainDepth, class Colors>
+  template <bool kPlain, class Colors>
   HWY_INLINE void draw_block(int group, int i, int x, const BlockPaint& paint, const Colors& colors) {
     const D d;
     const I di;
@@ -199,7 +198,7 @@ class TriangleBlocks {
     auto mask = hn::And(hn::Ge(k, hn::Zero(d)), hn::Lt(column, in_rows(to_, i)));
     V z = value(depth_, i, paint, kRecordDepth, k);
     const V stored = load_block(d, surface_.depth + at);
-    if constexpr (kPlainDepth) {
+    if constexpr (kPlain) {
       mask = hn::And(mask, hn::Lt(z, stored));
       if (hn::AllFalse(d, mask)) return;
       store_block(d, hn::IfThenElse(mask, z, stored), surface_.depth + at);

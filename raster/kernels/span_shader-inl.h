@@ -180,11 +180,12 @@ class SpanShader {
     const float* r1 = chunk_->record(primitive_->vertex[1], stride);
     const float* r2 = chunk_->record(primitive_->vertex[2], stride);
     const bool plain_depth = !chunk_->state->polygon_offset.enabled && has_plain_depth(r0, r1, r2);
-    if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth, true};
+    if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth};
     const int color = kRecordVaryings + layout.color;
     const bool is_divided = divides(layout, span_);
-    const bool plain_colors = (is_divided || span_.constant_q) && has_plain_colors(r0, r1, r2, color);
-    return {planes_, nullptr, color, is_divided, plain_depth, plain_colors};
+    const bool is_plain =
+        plain_depth && (is_divided || span_.constant_q) && has_plain_colors(r0, r1, r2, color);
+    return {planes_, nullptr, color, is_divided, is_plain};
   }
 
   SpanDepth span_depth() const {
@@ -224,7 +225,7 @@ class SpanShader {
     const int color = kRecordVaryings + layout.color;
     if (divides(layout, span_) || !colors_are_unit(span_, color, begin, end)) {
       draw(SmoothPixels<Blend, false, false>(layout, span_, blend));
-    } else if (planes_.slope_x[color + 3] == 0.0f) {
+    } else if (Blend::kReads && planes_.slope_x[color + 3] == 0.0f) {
       draw(SmoothPixels<Blend, true, true>(layout, span_, blend));
     } else {
       draw(SmoothPixels<Blend, true, false>(layout, span_, blend));
