@@ -54,7 +54,7 @@ HWY_INLINE Centres centres_between(IntV a, IntV b, IntV c) {
 }
 
 /// The edge function from one corner to the next, negative outside: at a pixel's centre, and what the next
-/// pixel adds to it. As raster/kernels/triangle_edges.h has it; only for triangles of some pixels.
+/// pixel adds to it. As raster/kernels/tiny_coverage-inl.h has it; only for triangles of some pixels.
 struct Edge {
   IntV value, step_x, step_y;
 };

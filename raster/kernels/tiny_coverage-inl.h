@@ -110,7 +110,9 @@ class TinyCoverage {
                    hn::Set(di, origin));
   }
 
-  /// See edge_function.
+  /// The edge functions of counter-clockwise triangles' sides, at least 0 inside: the rule of
+  /// docs/arithmetic.md gives left and lower sides their own pixel centres; the others lose one unit. At a
+  /// centre, and steps to the next column and row.
   struct Edges {
     VecI value, step_x, step_y;
   };

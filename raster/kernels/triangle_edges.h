@@ -1,6 +1,6 @@
-// What a triangle's edges tell without spans: its pixels' bounding box in a tile, its area, the edge
-// functions and whether a box lies in all of it or beside it. Exact on the 1/256-pixel grid, by the rule of
-// docs/arithmetic.md. Enters: a primitive and a tile.
+// What a triangle tells without spans: its pixels' bounding box in a tile, its area, and whether a box lies
+// in all of it or beside it. Exact on the 1/256-pixel grid, by the rule of docs/arithmetic.md. Enters: a
+// primitive and a tile.
 #pragma once
 
 #include <algorithm>
@@ -41,23 +41,6 @@ inline bool cuts(const ScissorBox& scissor, const TileArea& tile) {
 
 /// First pixel, in window coordinates, whose centre is at or after the coordinate (1/256 pixel).
 inline int first_centre_at(std::int32_t v) { return (v + kSubpixelUnits / 2 - 1) >> kSubpixelBits; }
-
-/// The edge function of a counter-clockwise triangle's side, at least 0 inside: the rule of
-/// docs/arithmetic.md gives left and lower sides their own pixel centres; the others lose one unit.
-struct EdgeFunction {
-  std::int32_t value;   ///< At the first centre of the box.
-  std::int32_t step_x;  ///< To the next column.
-  std::int32_t step_y;  ///< To the next row.
-};
-
-inline EdgeFunction edge_function(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
-                                  std::int32_t center_x, std::int32_t center_y) {
-  const std::int32_t dx = bx - ax;
-  const std::int32_t dy = by - ay;
-  const bool owns_centres = dy < 0 || (dy == 0 && dx > 0);
-  return {dx * (center_y - ay) - dy * (center_x - ax) - (owns_centres ? 0 : 1), -dy * kSubpixelUnits,
-          dx * kSubpixelUnits};
-}
 
 /// A triangle smaller than this along both axes: its edge functions fit 32 bits.
 inline constexpr std::int32_t kSmallTriangle = 40 * kSubpixelUnits;
