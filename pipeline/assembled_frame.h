@@ -10,7 +10,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/state.h"
 #include "pipeline/vertex_stage.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 #include "raster/rasterizer.h"
 
 namespace barrido::pipeline {

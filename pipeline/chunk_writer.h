@@ -9,7 +9,7 @@
 #include "pipeline/assembly_input.h"
 #include "pipeline/clip.h"
 #include "pipeline/flat_colors.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::pipeline {
 

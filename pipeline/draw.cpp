@@ -17,7 +17,7 @@
 #include "pipeline/frame.h"
 #include "pipeline/index_range.h"
 #include "pipeline/vertex_stage.h"
-#include "raster/binning.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::pipeline {
 namespace {

@@ -13,7 +13,7 @@
 #include "pipeline/layout.h"
 #include "pipeline/state.h"
 #include "pipeline/vertex_batch.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::pipeline {
 

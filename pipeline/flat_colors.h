@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "pipeline/assembly_input.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::pipeline {
 

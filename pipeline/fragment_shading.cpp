@@ -1,7 +1,7 @@
 #include "pipeline/fragment_shading.h"
 
 #include "pipeline/draw_plan.h"
-#include "raster/fragment_batch.h"
+#include "raster/fragments/fragment_batch.h"
 
 namespace barrido::pipeline {
 namespace {

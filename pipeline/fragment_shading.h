@@ -1,7 +1,7 @@
 // Illumination per fragment (Phong and cheap Phong), as the rasterizer calls it.
 #pragma once
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 
 namespace barrido::pipeline {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "raster/memory.h"
+#include "raster/base/memory.h"
 
 namespace barrido::pipeline {
 

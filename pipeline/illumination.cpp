@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pipeline/bounded.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::pipeline {
 namespace {

@@ -9,7 +9,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/illumination.h"
 #include "pipeline/state.h"
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 
 namespace barrido::pipeline {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::pipeline {
 namespace {

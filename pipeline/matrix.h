@@ -1,5 +1,6 @@
-// The matrices of OpenGL and its utility library, computed in double precision with raster/portable_math.h,
-// so that they are the same bits on every machine (glm's own use the C library's sine and tangent).
+// The matrices of OpenGL and its utility library, computed in double precision with
+// raster/base/portable_math.h, so that they are the same bits on every machine (glm's own use the C library's
+// sine and tangent).
 #pragma once
 
 #include <glm/mat3x3.hpp>

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::pipeline {
 

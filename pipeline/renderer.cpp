@@ -2,7 +2,7 @@
 
 #include "pipeline/assembled_frame.h"
 #include "pipeline/frame.h"
-#include "raster/binning.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::pipeline {
 

@@ -11,7 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 
 namespace barrido::pipeline {
 

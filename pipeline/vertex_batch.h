@@ -12,7 +12,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/packed_position.h"
 #include "pipeline/state.h"
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 
 namespace barrido::pipeline {
 

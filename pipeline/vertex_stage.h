@@ -8,7 +8,7 @@
 #include "pipeline/draw_plan.h"
 #include "pipeline/frame_memory.h"
 #include "pipeline/packed_position.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::pipeline {
 

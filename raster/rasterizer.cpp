@@ -11,8 +11,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "raster/binning.h"
 #include "raster/kernels/kernels.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster {
 namespace {

@@ -3,14 +3,13 @@
 // number of threads nor on the vector width. Must not know: scenes, lights, files, windows.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "raster/framebuffer.h"
-#include "raster/primitive.h"
-#include "raster/stage_profile.h"
+#include "raster/base/stage_profile.h"
+#include "raster/fragments/primitive.h"
+#include "raster/tiles/framebuffer.h"
+#include "raster/tiles/raster_statistics.h"
 
 namespace barrido::raster {
 
@@ -20,23 +19,6 @@ struct RasterizerOptions {
   bool visibility_first = true;
   /// Where the time goes, or null: then no clock is read. Must outlive the rasterizer.
   StageProfile* profile = nullptr;
-};
-
-struct ClearValues {
-  std::array<float, 4> color{0, 0, 0, 0};
-  float depth = 1.0f;
-};
-
-/// What was done, summed over tiles; exact and independent of the number of threads.
-struct RasterStatistics {
-  std::uint64_t primitives = 0;         ///< Primitives that reached a tile, once each.
-  std::uint64_t spans = 0;              ///< Pieces of scanlines (one primitive, one row of one tile).
-  std::uint64_t fragments_covered = 0;  ///< Pixel centres inside primitives.
-  std::uint64_t fragments_shaded = 0;   ///< Fragments that were interpolated and shaded.
-  /// Quantities interpolated: depth for every covered fragment, 1/w and varyings for every shaded one. One
-  /// addition each in the incremental form (S5).
-  std::uint64_t interpolations = 0;
-  std::uint64_t texel_fetches = 0;  ///< Texels read by the filters.
 };
 
 class BinnedChunk;

@@ -1,6 +1,6 @@
 #include "models/tool/mesh.h"
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::models {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models/tool/noise.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::models {
 namespace {

@@ -5,13 +5,11 @@
 #include <functional>
 #include <limits>
 
-#include "pipeline/inspect/view_colors.h"
-#include "pipeline/inspect/view_legend.h"
 #include "pipeline/inspect/view_observers.h"
 #include "pipeline/inspect/view_scale.h"
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/mip_colors.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::inspect {
 namespace {
@@ -173,26 +171,10 @@ Rgb8 color_of(const ViewValues& values, float value) {
   return ordered_color(values.view == StructureView::depth ? 1.0 - place : place);
 }
 
-raster::Framebuffer view_picture(const ViewValues& values, bool with_legend) {
-  raster::FramebufferOptions options;
-  options.width = values.width;
-  const int strip = legend_height(values.width);
-  with_legend = with_legend && values.height <= raster::kMaxFrameSide - strip;
-  options.height = values.height + (with_legend ? strip : 0);
-  options.keep_depth = false;
-  raster::Framebuffer picture(options);
-  const std::size_t pixels = values.values.size();
-  for (std::size_t i = 0; i < pixels; ++i) picture.color8()[i] = pixel_of(values, i);
-  if (with_legend) {
-    const std::vector<std::uint32_t> legend = draw_legend(values);
-    std::copy(legend.begin(), legend.end(), picture.color8().begin() + static_cast<std::ptrdiff_t>(pixels));
-  }
-  return picture;
-}
-
-raster::Framebuffer draw_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
-                              StructureView view, bool with_legend) {
-  return view_picture(measure_view(renderer, settings, view), with_legend);
+std::vector<std::uint32_t> colors_of(const ViewValues& values) {
+  std::vector<std::uint32_t> colors(values.values.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = pixel_of(values, i);
+  return colors;
 }
 
 }  // namespace barrido::inspect

@@ -1,7 +1,7 @@
 // Views of what a frame costs and what it is made of, as false colour: how often each pixel is drawn, how
 // many texels it reads, which triangle, mip level, depth and normal it shows, and where shading leaves Mach
-// bands. Enters: a scene and the settings of a frame; leaves: a number a pixel, and a picture of them with a
-// legend.
+// bands. Enters: a scene and the settings of a frame; leaves: a number a pixel, and its
+// colour.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/inspect/view_colors.h"
 #include "pipeline/scene/render_scene.h"
-#include "raster/framebuffer.h"
 
 namespace barrido::inspect {
 
@@ -60,15 +60,11 @@ struct ViewValues {
 ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
                         StructureView view);
 
-/// The values in false colour: 8-bit, opaque, of the frame's size; with a legend that much higher (the
-/// picture stands on it, so pixels keep their places from the top).
-raster::Framebuffer view_picture(const ViewValues& values, bool with_legend);
+/// The colour of a value of the view, as in its picture. Not for mip_colors and normals, which have colours
+/// of their own.
+Rgb8 color_of(const ViewValues& values, float value);
 
-/// Height in pixels of the legend of a picture of this width.
-int legend_height(int width);
-
-/// Both steps at once.
-raster::Framebuffer draw_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
-                              StructureView view, bool with_legend = true);
+/// The values in false colour: packed, opaque, a pixel each.
+std::vector<std::uint32_t> colors_of(const ViewValues& values);
 
 }  // namespace barrido::inspect

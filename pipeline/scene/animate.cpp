@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "pipeline/matrix.h"
-#include "pipeline/scene/transfer.h"
+#include "pipeline/pictures/transfer.h"
 
 namespace barrido::scene {
 namespace {

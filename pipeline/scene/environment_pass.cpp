@@ -10,7 +10,7 @@
 #include "pipeline/scene/cube_directions.h"
 #include "pipeline/scene/draw_state.h"
 #include "pipeline/scene/view.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 #include "pipeline/scene/metering.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "pipeline/scene/studio.h"

@@ -8,7 +8,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/render_scene.h"
-#include "raster/framebuffer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::scene {
 

@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "pipeline/scene/framing.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

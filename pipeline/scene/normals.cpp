@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

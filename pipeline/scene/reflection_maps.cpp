@@ -8,9 +8,9 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "pipeline/pictures/transfer.h"
 #include "pipeline/scene/cube_directions.h"
-#include "pipeline/scene/transfer.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

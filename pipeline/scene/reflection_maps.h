@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::scene {
 

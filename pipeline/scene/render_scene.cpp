@@ -14,7 +14,7 @@
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/overlay.h"
 #include "pipeline/scene/sorting.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

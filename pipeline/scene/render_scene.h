@@ -8,9 +8,9 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "pipeline/pictures/environment.h"
 #include "pipeline/renderer.h"
 #include "pipeline/scene/animate.h"
-#include "pipeline/scene/environment.h"
 #include "pipeline/scene/scene.h"
 
 namespace barrido::scene {

@@ -19,8 +19,8 @@
 #include <glm/vec4.hpp>
 
 #include "pipeline/geometry.h"
-#include "raster/memory.h"
-#include "raster/texture.h"
+#include "pipeline/pictures/image.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::scene {
 
@@ -73,17 +73,6 @@ class IndexArray {
  private:
   std::shared_ptr<const void> owner_;
   std::span<const std::uint32_t> values_;
-};
-
-/// Bytes of pixels; new elements are left as the memory is.
-using PixelBytes = raster::UnclearedArray<std::uint8_t>;
-
-/// A decoded picture: straight RGBA, 8 bits, top row first (row 0 is t = 0, glTF's convention).
-struct Image {
-  std::string name;  ///< File name or "image 3"; for messages.
-  int width = 0;
-  int height = 0;
-  PixelBytes rgba;
 };
 
 /// A picture with its sampler; filters as OpenGL names them.

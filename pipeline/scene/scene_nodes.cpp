@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 
 namespace barrido::scene {
 

@@ -8,8 +8,8 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 
+#include "pipeline/pictures/transfer.h"
 #include "pipeline/scene/cube_directions.h"
-#include "pipeline/scene/transfer.h"
 
 namespace barrido::scene {
 namespace {

@@ -2,7 +2,7 @@
 // boxes, computed here. It is fixed to the eye, as the three-light set-up is.
 #pragma once
 
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::scene {
 

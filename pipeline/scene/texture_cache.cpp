@@ -10,10 +10,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
-#include "pipeline/scene/image_pack.h"
+#include "pipeline/pictures/pack.h"
+#include "pipeline/pictures/transfer.h"
 #include "pipeline/scene/mip_colors.h"
-#include "pipeline/scene/transfer.h"
-#include "raster/parallel_rows.h"
+#include "raster/base/parallel_rows.h"
 
 namespace barrido::scene {
 namespace {

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "pipeline/scene/scene.h"
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::scene {
 

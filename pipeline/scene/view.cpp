@@ -5,10 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "pipeline/files/error.h"
 #include "pipeline/matrix.h"
-#include "pipeline/scene/error.h"
 #include "pipeline/scene/scene_nodes.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/kernels/simd_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();

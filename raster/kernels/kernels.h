@@ -2,7 +2,7 @@
 // (simd_target.h).
 #pragma once
 
-#include "raster/tile.h"
+#include "raster/tiles/tile.h"
 
 namespace barrido::raster {
 

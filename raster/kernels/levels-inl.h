@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include "raster/fragment_batch.h"
+#include "raster/fragments/fragment_batch.h"
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 
@@ -46,7 +46,7 @@ inline LevelChoice level_choice(const TextureUnit& unit) {
   return choice;
 }
 
-/// A vector of packed levels (raster/fragment_batch.h, SampleLevels).
+/// A vector of packed levels (raster/fragments/fragment_batch.h, SampleLevels).
 HWY_INLINE VI pack_levels(VI lower, VI upper, VI weight, hn::Mask<I> linear) {
   const I di;
   const auto texels = hn::IfThenElse(linear, hn::Set(di, 4), hn::Set(di, 1));

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "raster/tile.h"
+#include "raster/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {

@@ -1,5 +1,6 @@
-// Elementary functions on vectors of floats: the same operations in the same order as raster/portable_math.h,
-// so the same bits. Included once per target by Highway's foreach_target mechanism.
+// Elementary functions on vectors of floats: the same operations in the same order as
+// raster/base/portable_math.h, so the same bits. Included once per target by Highway's foreach_target
+// mechanism.
 #if defined(BARRIDO_SIMD_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_SIMD_MATH_INL_H
 #undef BARRIDO_SIMD_MATH_INL_H

@@ -16,7 +16,7 @@
 
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/triangle_edges.h"
-#include "raster/tile.h"
+#include "raster/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {

@@ -17,7 +17,7 @@
 #include "raster/kernels/lanes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 #include "raster/kernels/tiny_coverage-inl.h"
-#include "raster/tile.h"
+#include "raster/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "raster/tile.h"
+#include "raster/tiles/tile.h"
 
 namespace barrido::raster {
 

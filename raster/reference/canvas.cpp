@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "raster/reference/fragment_operations.h"
 
 namespace barrido::raster::reference {

@@ -4,11 +4,10 @@
 
 #include <vector>
 
-#include "raster/fragment_state.h"
-#include "raster/framebuffer.h"
-#include "raster/rasterizer.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/trace.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::raster::reference {
 

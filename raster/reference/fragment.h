@@ -1,7 +1,7 @@
 // The one fragment that the reference shades at a time.
 #pragma once
 
-#include "raster/fragment_batch.h"
+#include "raster/fragments/fragment_batch.h"
 
 namespace barrido::raster::reference {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/reference/arithmetic.h"
 
 namespace barrido::raster::reference {

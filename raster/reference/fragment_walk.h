@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 #include "raster/reference/fragment.h"
 #include "raster/reference/planes.h"
 #include "raster/reference/spans.h"

@@ -1,6 +1,6 @@
 #include "raster/reference/level_of_detail.h"
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/cube_face.h"
 

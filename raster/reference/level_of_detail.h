@@ -2,7 +2,7 @@
 // Enters quantities along a span; knows nothing of filters and texels.
 #pragma once
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/reference/planes.h"
 
 namespace barrido::raster::reference {

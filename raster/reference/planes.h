@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 #include "raster/reference/spans.h"
 
 namespace barrido::raster::reference {

@@ -5,9 +5,8 @@
 
 #include <span>
 
-#include "raster/framebuffer.h"
-#include "raster/primitive.h"
-#include "raster/rasterizer.h"
+#include "raster/fragments/primitive.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::raster::reference {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "raster/reference/sampling.h"
 #include "raster/reference/texture_environment.h"
 

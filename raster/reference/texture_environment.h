@@ -2,7 +2,7 @@
 // and leaves colours; knows nothing of coordinates and texels.
 #pragma once
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/reference/arithmetic.h"
 
 namespace barrido::raster::reference {

@@ -8,12 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "raster/framebuffer.h"
-#include "raster/primitive.h"
-#include "raster/rasterizer.h"
+#include "raster/fragments/primitive.h"
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/planes.h"
 #include "raster/reference/spans.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::raster::reference {
 

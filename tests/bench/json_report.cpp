@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/image_file.h"
-#include "raster/simd_target.h"
+#include "pipeline/files/error.h"
+#include "pipeline/files/write_file.h"
+#include "raster/base/simd_target.h"
 #include "tests/bench/peer.h"
 
 namespace barrido::bench {

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "pipeline/matrix.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/bench/workloads.h"
 
 namespace barrido::bench {

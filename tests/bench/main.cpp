@@ -7,7 +7,7 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 #include "tests/bench/json_report.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/models.h"

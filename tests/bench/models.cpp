@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <map>
 
+#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/scene/frame_observer.h"
-#include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/render_scene.h"
 
 namespace barrido::bench {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/image_io.h"
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
+#include "pipeline/pictures/image_io.h"
 #include "pipeline/scene/render_scene.h"
 
 namespace barrido::bench {

@@ -6,7 +6,7 @@
 #include <tbb/global_control.h>
 
 #include "pipeline/draw_plan.h"
-#include "raster/fragment_batch.h"
+#include "raster/fragments/fragment_batch.h"
 #include "raster/kernels/kernels.h"
 #include "tests/bench/peer.h"
 #include "tests/bench/tile_store.h"

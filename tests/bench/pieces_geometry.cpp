@@ -4,7 +4,7 @@
 #include "pipeline/assembly.h"
 #include "pipeline/draw_plan.h"
 #include "pipeline/vertex_stage.h"
-#include "raster/binning.h"
+#include "raster/tiles/binning.h"
 #include "tests/bench/workloads.h"
 
 namespace barrido::bench {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/matrix.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/bench/workloads.h"
 
 namespace barrido::bench {

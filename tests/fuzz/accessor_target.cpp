@@ -9,7 +9,7 @@
 
 #include "input.h"
 #include "model_file.h"
-#include "pipeline/scene/gltf_accessor.h"
+#include "pipeline/gltf/accessor.h"
 #include "viewer/compare/base64.h"
 
 namespace barrido::fuzz {

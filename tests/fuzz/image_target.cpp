@@ -1,8 +1,8 @@
 // Picture files from strangers: the decoders may refuse them with InputError and nothing else. What they give
 // is encoded as PNG and decoded again, which must lose nothing.
-#include "pipeline/scene/image_codecs.h"
-#include "pipeline/scene/image_format.h"
-#include "pipeline/scene/image_header_check.h"
+#include "pipeline/pictures/codecs.h"
+#include "pipeline/pictures/format.h"
+#include "pipeline/pictures/header_check.h"
 #include "targets.h"
 
 namespace barrido::fuzz {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
 #include "targets.h"
 
 namespace barrido::fuzz {

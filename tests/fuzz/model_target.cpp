@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "model_file.h"
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/scene/render_scene.h"
 #include "targets.h"
 

@@ -7,8 +7,8 @@
 #include "input.h"
 #include "pipeline/geometry.h"
 #include "pipeline/state.h"
-#include "raster/framebuffer.h"
 #include "raster/rasterizer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::fuzz {
 

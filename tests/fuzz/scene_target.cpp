@@ -7,14 +7,14 @@
 #include "frame_difference.h"
 #include "pipeline/assembled_frame.h"
 #include "pipeline/renderer.h"
+#include "raster/base/simd_target.h"
 #include "raster/reference/reference_rasterizer.h"
-#include "raster/simd_target.h"
 #include "scene_choices.h"
 
 namespace barrido::fuzz {
 namespace {
 
-/// What raster/primitive.h asks of every chunk.
+/// What raster/fragments/primitive.h asks of every chunk.
 void check_chunk(const raster::PrimitiveChunk& chunk) {
   constexpr std::int32_t kReach = raster::kGuardBandPixels * raster::kSubpixelUnits;
   const int corners = static_cast<int>(chunk.topology) + 1;

@@ -1,8 +1,8 @@
 // The validator of glTF files, on .gltf and .glb: it may not be able to read a file at all, else it reports,
 // and its reports can be written.
 #include "model_file.h"
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/validate/validate.h"
+#include "pipeline/files/error.h"
+#include "pipeline/validate/validate.h"
 #include "targets.h"
 
 namespace barrido::fuzz {

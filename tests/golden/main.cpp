@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "tests/golden/stage.h"
 
 namespace barrido::golden {

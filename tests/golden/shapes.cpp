@@ -1,5 +1,5 @@
 // The shapes that the golden scenes are made of.
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/golden/stage.h"
 
 namespace barrido::golden {

@@ -1,6 +1,6 @@
 #include "tests/golden/stage.h"
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::golden {
 namespace {

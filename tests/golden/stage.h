@@ -10,7 +10,7 @@
 
 #include "pipeline/matrix.h"
 #include "pipeline/renderer.h"
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::golden {
 

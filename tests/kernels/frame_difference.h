@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "raster/framebuffer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::raster::testing {
 

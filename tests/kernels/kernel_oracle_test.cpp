@@ -10,10 +10,10 @@
 
 #include "frame_difference.h"
 #include "random_scene.h"
-#include "raster/binning.h"
+#include "raster/base/simd_target.h"
 #include "raster/reference/fragment_walk.h"
 #include "raster/reference/reference_rasterizer.h"
-#include "raster/simd_target.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster::testing {
 namespace {

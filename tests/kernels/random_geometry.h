@@ -5,7 +5,7 @@
 #include <string>
 
 #include "random_bits.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 
 namespace barrido::raster::testing {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "random_state.h"
-#include "raster/framebuffer.h"
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 #include "raster/rasterizer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::raster::testing {
 

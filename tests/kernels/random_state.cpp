@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "raster/fragment_batch.h"
+#include "raster/fragments/fragment_batch.h"
 
 namespace barrido::raster::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "random_bits.h"
 #include "random_textures.h"
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 
 namespace barrido::raster::testing {
 

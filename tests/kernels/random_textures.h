@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "random_bits.h"
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::raster::testing {
 

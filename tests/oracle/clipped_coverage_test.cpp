@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/matrix.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/oracle/harness.h"
 
 namespace barrido::oracle {

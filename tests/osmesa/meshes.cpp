@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "pipeline/matrix.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/osmesa/parts.h"
 
 namespace barrido::crosscheck {

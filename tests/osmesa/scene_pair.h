@@ -11,7 +11,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/state.h"
 #include "raster/rasterizer.h"
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::crosscheck {
 

@@ -13,13 +13,30 @@ SOURCE_SUFFIXES = {".cpp", ".h", ".cc", ".hpp"}
 CODE_FOLDERS = ("raster", "pipeline", "viewer", "models", "tests", "examples")
 MAX_LINES = 400
 
-# Layers from the lowest to the highest: a file may include only its own layer and those before it.
-LAYERS = ["raster", "pipeline", "pipeline/scene", "pipeline/inspect", "viewer"]
+# Rooms from the lowest to the highest: a file may include only its own room and those before it.
+LAYERS = [
+    "raster/base",
+    "raster/textures",
+    "raster/fragments",
+    "raster/tiles",
+    "raster/kernels",
+    "raster/reference",
+    "raster",
+    "pipeline",
+    "pipeline/kernels",
+    "pipeline/files",
+    "pipeline/pictures",
+    "pipeline/scene",
+    "pipeline/gltf",
+    "pipeline/validate",
+    "pipeline/inspect",
+    "viewer",
+]
 # Headers that only one folder may see.
 PRIVATE_HEADERS = {
-    r"tiny_gltf\.h|tinygltf": ["pipeline/scene"],
-    r"OpenImageIO/": ["pipeline/scene"],
-    r"spng\.h|jpeglib\.h|turbojpeg\.h|png\.h": ["pipeline/scene", "models/tool", "tests"],
+    r"tiny_gltf\.h|tinygltf": ["pipeline/gltf"],
+    r"OpenImageIO/": ["pipeline/pictures"],
+    r"spng\.h|jpeglib\.h|turbojpeg\.h|png\.h": ["pipeline/pictures", "models/tool", "tests"],
     r"GLFW/|imgui": ["viewer/barrido-view", "tests"],
     r"GL/": ["viewer/barrido-view", "viewer/osmesa", "tests"],
     r"CLI/": ["viewer", "tests/bench"],

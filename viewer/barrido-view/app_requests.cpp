@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "viewer/barrido-view/app.h"
 #include "viewer/barrido/frame_plan.h"
 #include "viewer/barrido/settings_file.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/barrido-view/panel_parts.h"
 #include "viewer/barrido/light_spec.h"
 #include "viewer/view/commands.h"

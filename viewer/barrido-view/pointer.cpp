@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/view/commands.h"
 
 namespace barrido::window {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/scene/budget.h"
+#include "pipeline/files/budget.h"
 
 namespace barrido::cli {
 

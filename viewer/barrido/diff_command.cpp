@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "pipeline/scene/image_file.h"
-#include "pipeline/scene/image_io.h"
+#include "pipeline/files/write_file.h"
+#include "pipeline/pictures/image_io.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/diff_options.h"

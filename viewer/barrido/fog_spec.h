@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "raster/fragment_state.h"
+#include "raster/fragments/fragment_state.h"
 #include "viewer/barrido/usage_error.h"
 
 namespace barrido::cli {

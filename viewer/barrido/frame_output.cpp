@@ -1,6 +1,6 @@
 #include "viewer/barrido/frame_output.h"
 
-#include "pipeline/scene/sha256.h"
+#include "viewer/sheet/sha256.h"
 
 namespace barrido::cli {
 namespace {
@@ -18,7 +18,7 @@ scene::ImageView view_of(const raster::Framebuffer& framebuffer) {
 }
 
 std::string pixel_hash(const raster::Framebuffer& framebuffer) {
-  return scene::sha256_hex(bytes_of_colors(framebuffer));
+  return sheet::sha256_hex(bytes_of_colors(framebuffer));
 }
 
 }  // namespace barrido::cli

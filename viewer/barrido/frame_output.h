@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "pipeline/scene/image_io.h"
-#include "raster/framebuffer.h"
+#include "pipeline/pictures/image_io.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::cli {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "raster/framebuffer.h"
+#include "raster/tiles/framebuffer.h"
 #include "viewer/barrido/cost_report.h"
 #include "viewer/barrido/frame_plan.h"
 

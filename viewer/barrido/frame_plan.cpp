@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "viewer/barrido/output_template.h"
 
 namespace barrido::cli {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "pipeline/scene/environment.h"
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
+#include "pipeline/pictures/environment.h"
 
 namespace barrido::cli {
 

@@ -1,9 +1,9 @@
 #include "viewer/barrido/frame_sheet.h"
 
-#include "pipeline/scene/image_io.h"
-#include "pipeline/scene/sheet.h"
+#include "pipeline/pictures/image_io.h"
 #include "viewer/barrido/frame_output.h"
 #include "viewer/barrido/standard_streams.h"
+#include "viewer/sheet/sheet.h"
 
 namespace barrido::cli {
 namespace {
@@ -22,14 +22,14 @@ void FrameSheet::add(const std::string& label, raster::Framebuffer&& framebuffer
 }
 
 void FrameSheet::write(const std::string& name, int columns, int png_compression) const {
-  std::vector<scene::SheetPicture> pictures;
+  std::vector<sheet::SheetPicture> pictures;
   for (const Entry& entry : entries_) {
     const scene::ImageView view = view_of(entry.framebuffer);
     pictures.push_back({view.width, view.height, view.rgba8, entry.label});
   }
-  scene::SheetOptions options;
+  sheet::SheetOptions options;
   options.columns = columns;
-  const scene::Image sheet = scene::compose_sheet(pictures, options);
+  const scene::Image sheet = sheet::compose_sheet(pictures, options);
   const scene::ImageView view{sheet.width, sheet.height, sheet.rgba, {}};
   scene::WriteOptions write;
   write.png_compression = png_compression;

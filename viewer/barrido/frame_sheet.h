@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "raster/framebuffer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::cli {
 

@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
 #include "viewer/barrido/arguments.h"
 #include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/commands.h"

@@ -1,4 +1,4 @@
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/barrido/scene_summary.h"
 #include "viewer/barrido/standard_streams.h"
 #include "viewer/barrido/text_format.h"

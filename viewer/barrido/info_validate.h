@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "pipeline/scene/validate/validate.h"
+#include "pipeline/validate/validate.h"
 
 namespace barrido::cli {
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/inspect/pixel_story.h"
-#include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/scene_nodes.h"
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/frame_plan.h"

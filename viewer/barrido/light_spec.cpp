@@ -4,7 +4,7 @@
 #include <array>
 
 #include "pipeline/scene/light_conversion.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {

@@ -13,8 +13,8 @@
 #include <mutex>
 #include <new>
 
-#include "pipeline/scene/budget.h"
-#include "pipeline/scene/temporary_files.h"
+#include "pipeline/files/budget.h"
+#include "pipeline/files/temporary_files.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/standard_streams.h"
 

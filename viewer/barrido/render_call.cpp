@@ -8,15 +8,16 @@
 #include <new>
 #include <set>
 
-#include "pipeline/scene/image_io.h"
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
+#include "pipeline/pictures/image_io.h"
 #include "pipeline/scene/scene_nodes.h"
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/frame_output.h"
 #include "viewer/barrido/frame_settings.h"
 #include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/stopwatch.h"
+#include "viewer/sheet/view_picture.h"
 
 namespace barrido::cli {
 namespace {
@@ -164,7 +165,7 @@ void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, F
     scene::RenderSettings settings = settings_of(settings_, *frame.plan);
     raster::StageProfile profile;
     if (options_.stats != StatsFormat::none) settings.profile = &profile;
-    frame.framebuffer = frame.plan->view ? inspect::draw_view(renderer, settings, *frame.plan->view)
+    frame.framebuffer = frame.plan->view ? sheet::draw_view(renderer, settings, *frame.plan->view)
                                          : renderer.render(settings, &frame.cost.counts);
     for (int stage = 0; stage < raster::kStageCount; ++stage) {
       frame.cost.stage_ms[static_cast<std::size_t>(stage)] =

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/help.h"

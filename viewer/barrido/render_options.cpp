@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/gltf_report.h"
+#include "pipeline/gltf/report.h"
 #include "viewer/barrido/output_template.h"
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/settings_file.h"

@@ -9,7 +9,7 @@
 
 #include "pipeline/inspect/structure_view.h"
 #include "pipeline/scene/render_scene.h"
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 #include "viewer/barrido/arguments.h"
 #include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/fog_spec.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/image_file.h"
+#include "pipeline/files/write_file.h"
 #include "viewer/barrido/spelling.h"
 #include "viewer/barrido/values.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 #include "viewer/barrido/arguments.h"
 
 namespace barrido::cli {

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 
 namespace barrido::cli {
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/image_file.h"
+#include "pipeline/files/error.h"
+#include "pipeline/files/write_file.h"
 
 namespace barrido::compare {
 namespace {

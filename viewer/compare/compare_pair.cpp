@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/image_read.h"
+#include "pipeline/files/error.h"
+#include "pipeline/pictures/read.h"
 #include "viewer/compare/same_footing.h"
 
 namespace barrido::compare {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pipeline/scene/stored_picture.h"
+#include "pipeline/pictures/stored_picture.h"
 
 namespace barrido::compare {
 

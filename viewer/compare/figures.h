@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "pipeline/scene/stored_picture.h"
+#include "pipeline/pictures/stored_picture.h"
 
 namespace barrido::compare {
 

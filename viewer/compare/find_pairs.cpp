@@ -3,8 +3,8 @@
 #include <map>
 #include <system_error>
 
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/image_format.h"
+#include "pipeline/files/error.h"
+#include "pipeline/pictures/format.h"
 
 namespace barrido::compare {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/scene/transfer.h"
+#include "pipeline/pictures/transfer.h"
 #include "viewer/compare/flip_band.h"
 #include "viewer/compare/flip_exposure.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/scene/stored_picture.h"
+#include "pipeline/pictures/stored_picture.h"
 
 namespace barrido::compare {
 

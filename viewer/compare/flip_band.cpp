@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/compare/flip_color.h"
 
 namespace barrido::compare {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::compare {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::compare {
 namespace {

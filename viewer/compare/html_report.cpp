@@ -4,8 +4,8 @@
 #include <memory>
 #include <system_error>
 
-#include "pipeline/scene/error.h"
-#include "pipeline/scene/image_file.h"
+#include "pipeline/files/error.h"
+#include "pipeline/files/write_file.h"
 #include "viewer/compare/base64.h"
 #include "viewer/compare/html_page.h"
 #include "viewer/compare/report_pictures.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/scene/image_io.h"
-#include "pipeline/scene/transfer.h"
+#include "pipeline/pictures/image_io.h"
+#include "pipeline/pictures/transfer.h"
 #include "viewer/compare/difference_picture.h"
 #include "viewer/compare/false_color.h"
 

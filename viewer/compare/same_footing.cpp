@@ -3,7 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "pipeline/scene/transfer.h"
+#include "pipeline/pictures/transfer.h"
 
 namespace barrido::compare {
 namespace {

@@ -1,7 +1,7 @@
 // Pictures of different kinds made comparable. Must not know: files, thresholds.
 #pragma once
 
-#include "pipeline/scene/stored_picture.h"
+#include "pipeline/pictures/stored_picture.h"
 
 namespace barrido::compare {
 

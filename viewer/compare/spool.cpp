@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 
 namespace barrido::compare {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pipeline/assembled_frame.h"
-#include "raster/framebuffer.h"
+#include "raster/tiles/framebuffer.h"
 
 namespace barrido::osmesa {
 

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::view {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/barrido/light_spec.h"
 #include "viewer/barrido/values.h"
 #include "viewer/view/render_words.h"

@@ -1,13 +1,14 @@
 #include "viewer/view/model.h"
 
+#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/scene/frame_observer.h"
-#include "pipeline/scene/import_gltf.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/metering.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "viewer/barrido/frame_plan.h"
 #include "viewer/barrido/frame_settings.h"
 #include "viewer/barrido/stopwatch.h"
+#include "viewer/sheet/view_picture.h"
 #include "viewer/view/render_words.h"
 
 namespace barrido::view {
@@ -78,7 +79,7 @@ DrawnFrame Model::draw(const cli::RenderOptions& options) {
   const scene::RenderSettings settings = settings_for(options);
   const std::optional<inspect::StructureView>& view = options.views.at(0);
   raster::Framebuffer framebuffer =
-      view ? inspect::draw_view(renderer_, settings, *view) : renderer_.render(settings, &counts);
+      view ? sheet::draw_view(renderer_, settings, *view) : renderer_.render(settings, &counts);
   return {std::move(framebuffer), counts, watch.milliseconds()};
 }
 

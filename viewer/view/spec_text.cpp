@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "viewer/barrido/text_format.h"
 #include "viewer/view/render_words.h"
 

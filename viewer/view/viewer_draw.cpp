@@ -3,7 +3,8 @@
 #include <exception>
 #include <utility>
 
-#include "raster/primitive.h"
+#include "raster/fragments/primitive.h"
+#include "viewer/sheet/view_legend.h"
 #include "viewer/view/viewer.h"
 
 namespace barrido::view {
@@ -23,7 +24,7 @@ void add(Costs& sum, const DrawnFrame& frame) {
 
 int Viewer::legend_height() const {
   const bool view = display.split ? has_view(kLeft) || has_view(kRight) : has_view(active_side_);
-  return view ? inspect::legend_height(width()) : 0;
+  return view ? sheet::legend_height(width()) : 0;
 }
 
 void Viewer::set_size(int width, int height) {
@@ -37,7 +38,7 @@ void Viewer::set_size(int width, int height) {
 
 Picture Viewer::blank(int coarseness) const {
   const int w = std::max(1, width() / coarseness);
-  const int legend = legend_height() > 0 ? inspect::legend_height(w) : 0;
+  const int legend = legend_height() > 0 ? sheet::legend_height(w) : 0;
   const int h = std::max(1, height() / coarseness) + legend;
   return {w, h,
           std::vector<std::uint32_t>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), kDarkGrey)};
@@ -52,7 +53,7 @@ cli::RenderOptions Viewer::coarse(int side, int coarseness) const {
 
 void Viewer::stand_on_nothing(Picture& picture) const {
   if (legend_height() == 0) return;
-  picture.height += inspect::legend_height(picture.width);
+  picture.height += sheet::legend_height(picture.width);
   picture.rgba.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height),
                       kDarkGrey);
 }

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 
-#include <barrido/pipeline/scene/import_gltf.h>
+#include <barrido/pipeline/gltf/import_gltf.h>
 #include <barrido/pipeline/scene/render_scene.h>
 
 int main(int count, char** arguments) {

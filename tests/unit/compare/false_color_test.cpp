@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/transfer.h"
+#include "pipeline/pictures/transfer.h"
 
 namespace barrido::compare {
 namespace {

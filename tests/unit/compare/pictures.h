@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
-#include "pipeline/scene/image_io.h"
-#include "pipeline/scene/stored_picture.h"
+#include "pipeline/pictures/image_io.h"
+#include "pipeline/pictures/stored_picture.h"
 #include "tests/unit/scene/image_test_support.h"
 
 namespace barrido::compare::test {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "pipeline/scene/environment.h"
+#include "pipeline/pictures/environment.h"
 #include "tests/unit/inspect/inspect_fixture.h"
 
 namespace barrido::inspect {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/inspect/pixel_story.h"
-#include "pipeline/scene/import_gltf.h"
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
 
 namespace barrido::inspect {
 

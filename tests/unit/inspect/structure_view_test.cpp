@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "pipeline/inspect/view_colors.h"
-#include "pipeline/inspect/view_legend.h"
 #include "pipeline/inspect/view_observers.h"
 #include "tests/unit/inspect/inspect_fixture.h"
 #include "tests/unit/scene/frame_fixture.h"
+#include "viewer/sheet/view_legend.h"
+#include "viewer/sheet/view_picture.h"
 
 namespace barrido::inspect {
 namespace {
@@ -237,10 +238,10 @@ TEST(ViewPicture, LegendStandsBelowAndMovesNothing) {
     const auto view = static_cast<StructureView>(i);
     EXPECT_EQ(structure_view_of(name_of(view)), view);
     const ViewValues values = measure_view(renderer, settings, view);
-    const raster::Framebuffer plain = view_picture(values, false);
-    const raster::Framebuffer with = view_picture(values, true);
+    const raster::Framebuffer plain = sheet::view_picture(values, false);
+    const raster::Framebuffer with = sheet::view_picture(values, true);
     EXPECT_EQ(plain.height(), settings.height);
-    EXPECT_EQ(with.height(), settings.height + legend_height(settings.width));
+    EXPECT_EQ(with.height(), settings.height + sheet::legend_height(settings.width));
     EXPECT_TRUE(std::equal(plain.color8().begin(), plain.color8().end(), with.color8().begin()));
     const std::size_t legend = plain.color8().size();
     EXPECT_TRUE(std::any_of(with.color8().begin() + static_cast<std::ptrdiff_t>(legend), with.color8().end(),
@@ -262,9 +263,10 @@ TEST(ViewPicture, SmallFramesAndFramesWithoutRoomForALegend) {
   scene::SceneRenderer renderer(scene);
   RenderSettings settings = small_frame(ShadeModel::flat);
   settings.width = settings.height = 1;
-  EXPECT_EQ(draw_view(renderer, settings, StructureView::overdraw).height(), 1 + legend_height(1));
+  EXPECT_EQ(sheet::draw_view(renderer, settings, StructureView::overdraw).height(),
+            1 + sheet::legend_height(1));
   settings.height = raster::kMaxFrameSide;
-  EXPECT_EQ(draw_view(renderer, settings, StructureView::overdraw).height(), raster::kMaxFrameSide);
+  EXPECT_EQ(sheet::draw_view(renderer, settings, StructureView::overdraw).height(), raster::kMaxFrameSide);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <bit>
 
-#include "raster/binning.h"
 #include "raster/rasterizer.h"
 #include "raster/reference/trace.h"
+#include "raster/tiles/binning.h"
 #include "tests/kernels/random_scene.h"
 
 namespace barrido::raster::testing {

@@ -6,8 +6,8 @@
 #include "drawn.h"
 #include "pipeline/matrix.h"
 #include "random_lighting.h"
-#include "raster/fragment_batch.h"
-#include "raster/simd_target.h"
+#include "raster/base/simd_target.h"
+#include "raster/fragments/fragment_batch.h"
 
 namespace barrido::pipeline {
 namespace {

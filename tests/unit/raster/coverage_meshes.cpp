@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::raster::testing {
 namespace {

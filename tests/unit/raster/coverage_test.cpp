@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "coverage_meshes.h"
-#include "raster/binning.h"
+#include "raster/base/simd_target.h"
 #include "raster/rasterizer.h"
 #include "raster/reference/reference_rasterizer.h"
-#include "raster/simd_target.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster {
 namespace {

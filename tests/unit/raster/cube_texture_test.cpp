@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "random_texels.h"
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::raster {
 namespace {

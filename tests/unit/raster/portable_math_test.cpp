@@ -1,6 +1,6 @@
 // The portable elementary functions against the C library's in double precision: the errors that their
 // documentation promises, and what they do with numbers that are none.
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 namespace barrido::raster::testing {
 

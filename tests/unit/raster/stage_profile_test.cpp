@@ -1,12 +1,12 @@
 // The profile by stage: what is charged to whom, and that a frame charges the stages that it went through.
-#include "raster/stage_profile.h"
+#include "raster/base/stage_profile.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "raster/binning.h"
 #include "raster/rasterizer.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster {
 namespace {

@@ -1,6 +1,6 @@
 // Two-dimensional textures: mip chains against a box filter in double precision, aprons against the wrap
 // modes, sRGB decoding against the standard's formula, and messages for pictures that cannot be.
-#include "raster/texture.h"
+#include "raster/textures/texture.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "random_texels.h"
-#include "raster/texture_srgb.h"
+#include "raster/textures/texture_srgb.h"
 
 namespace barrido::raster {
 namespace {

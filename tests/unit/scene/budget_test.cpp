@@ -1,9 +1,9 @@
 // The account of what files may take, and its words.
-#include "pipeline/scene/budget.h"
+#include "pipeline/files/budget.h"
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 #include "tests/unit/scene/import_support.h"
 
 namespace barrido::scene::test {

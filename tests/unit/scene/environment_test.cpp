@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "image_test_support.h"
-#include "pipeline/scene/environment.h"
+#include "pipeline/pictures/environment.h"
 
 namespace barrido::scene::test {
 namespace {

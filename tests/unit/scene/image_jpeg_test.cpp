@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "image_test_support.h"
-#include "pipeline/scene/gltf_bytes.h"
+#include "pipeline/files/bytes.h"
 
 namespace barrido::scene::test {
 namespace {

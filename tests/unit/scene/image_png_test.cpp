@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "image_test_support.h"
-#include "pipeline/scene/image_codecs.h"
+#include "pipeline/pictures/codecs.h"
 
 namespace barrido::scene::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene/sha256.h"
+#include "viewer/sheet/sha256.h"
 
 namespace barrido::scene {
 namespace {

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "temporary_folder.h"
 
 namespace barrido::scene::test {

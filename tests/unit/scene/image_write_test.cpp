@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "image_test_support.h"
-#include "pipeline/scene/image_file.h"
+#include "pipeline/files/write_file.h"
 
 namespace barrido::scene::test {
 namespace {

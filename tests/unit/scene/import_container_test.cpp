@@ -1,6 +1,6 @@
 // GLB's header and chunks, and the depth of JSON.
 #include "import_support.h"
-#include "pipeline/scene/gltf_container.h"
+#include "pipeline/gltf/container.h"
 
 namespace barrido::scene::test {
 namespace {

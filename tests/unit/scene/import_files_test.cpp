@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 
 #include "import_support.h"
-#include "pipeline/scene/gltf_bytes.h"
+#include "pipeline/files/bytes.h"
 
 namespace barrido::scene::test {
 namespace {

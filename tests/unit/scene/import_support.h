@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
 #include "temporary_folder.h"
 
 namespace barrido::scene::test {

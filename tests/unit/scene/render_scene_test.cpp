@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 #include "tests/unit/scene/frame_fixture.h"
 
 namespace barrido::scene {

@@ -1,15 +1,17 @@
-#include "pipeline/scene/sheet.h"
+#include "viewer/sheet/sheet.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "image_test_support.h"
-#include "pipeline/scene/sheet_font.h"
-#include "pipeline/scene/sheet_text.h"
+#include "viewer/sheet/font.h"
+#include "viewer/sheet/text.h"
 
 namespace barrido::scene::test {
 namespace {
+
+using namespace sheet;
 
 using Rgb = std::array<std::uint8_t, 3>;
 

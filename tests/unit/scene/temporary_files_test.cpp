@@ -1,11 +1,11 @@
 // Files that must not outlive their writing.
-#include "pipeline/scene/temporary_files.h"
+#include "pipeline/files/temporary_files.h"
 
 #include <fstream>
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/image_file.h"
+#include "pipeline/files/write_file.h"
 #include "tests/unit/scene/import_support.h"
 
 namespace barrido::scene::test {

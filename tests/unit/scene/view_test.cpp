@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/error.h"
+#include "pipeline/files/error.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "tests/unit/scene/scene_fixture.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/validate/validate.h"
+#include "pipeline/validate/validate.h"
 #include "tests/unit/scene/import_support.h"
 
 namespace barrido::scene::test {

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 #include "tests/unit/view/random_options.h"
 #include "viewer/barrido/light_spec.h"
 #include "viewer/barrido/render_option_table.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pipeline/scene/import_gltf.h"
+#include "pipeline/gltf/import_gltf.h"
 #include "viewer/barrido/frame_settings.h"
 #include "viewer/view/commands.h"
 #include "viewer/view/key_table.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "tests/unit/viewer/program.h"
 #include "tests/unit/viewer/tiny_models.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/scene/light_conversion.h"
-#include "raster/portable_math.h"
+#include "raster/base/portable_math.h"
 
 namespace barrido::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/image_io.h"
-#include "raster/simd_target.h"
+#include "pipeline/pictures/image_io.h"
+#include "raster/base/simd_target.h"
 #include "tests/unit/viewer/program.h"
 #include "tests/unit/viewer/tiny_models.h"
 

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "tests/unit/viewer/program.h"
 #include "tests/unit/viewer/tiny_models.h"
 #include "viewer/barrido/standard_streams.h"

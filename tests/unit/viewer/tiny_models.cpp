@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/image_io.h"
+#include "pipeline/pictures/image_io.h"
 #include "tests/unit/viewer/program.h"
 
 namespace barrido::test {

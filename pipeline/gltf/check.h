@@ -1,0 +1,15 @@
+// Compares a parsed JSON document with the tables of gltf_rules.h before anything is read from it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/gltf/report.h"
+
+namespace barrido::scene::gltf {
+
+/// Afterwards every property named in the tables has its type, range and number of items, required ones are
+/// there, and every index is below the size of the array it refers to. Whole numbers written as 3.0 become
+/// integers. @throws InputError naming the first property that is wrong.
+void check_document(Report& report, nlohmann::json& document);
+
+}  // namespace barrido::scene::gltf

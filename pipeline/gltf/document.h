@@ -1,0 +1,69 @@
+// A glTF document after every check that can be made without looking at its elements: JSON types, ranges and
+// indices, buffers of the promised length, buffer views and accessors within their buffers. What comes later
+// may use any index and offset it finds here.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include <tiny_gltf.h>
+#include <nlohmann/json_fwd.hpp>
+
+#include "pipeline/files/bytes.h"
+#include "pipeline/gltf/container.h"
+#include "pipeline/gltf/import_gltf.h"
+#include "pipeline/gltf/report.h"
+
+namespace barrido::scene::gltf {
+
+/// A buffer's byteLength bytes and what keeps them alive. A file may leave a buffer to the application; it
+/// has no bytes then, and what needs them is an error.
+struct Buffer {
+  std::uint64_t byte_length = 0;
+  std::span<const std::uint8_t> bytes;
+  std::shared_ptr<const void> owner;
+};
+
+/// An image's encoded bytes, or the reason why they cannot be had.
+struct EncodedImage {
+  std::string name;  ///< For messages: its file, its name, or "images[3]".
+  std::span<const std::uint8_t> bytes;
+  std::shared_ptr<const void> owner;
+  std::string problem;
+};
+
+class Document {
+ public:
+  /// Reads `path` and the buffers it refers to.
+  /// `options` must have a budget. @throws InputError.
+  Document(Report& report, const std::filesystem::path& path, const ImportOptions& options);
+  ~Document();
+
+  const tinygltf::Model& model() const { return model_; }
+  /// The checked JSON; without buffers and their contents.
+  const nlohmann::json& tree() const { return *json_; }
+  Budget& budget() const { return *options_.budget; }
+  const std::vector<Buffer>& buffers() const { return buffers_; }
+  const Buffer& buffer(int index) const { return buffers_[static_cast<std::size_t>(index)]; }
+  bool has_bytes(int buffer_view) const;
+  /// Only of a view that has bytes.
+  std::span<const std::uint8_t> view_bytes(int buffer_view) const;
+
+  std::size_t image_count() const;
+  /// Reads the bytes of one image; may be called from several threads at once.
+  EncodedImage read_image(std::size_t index) const;
+
+ private:
+  void load_buffers(Report& report, const Container& container, const ByteBlock& file);
+  void parse_model(const Report& report);
+  void take_views_from_indices();
+
+  std::filesystem::path folder_;
+  ImportOptions options_;
+  std::unique_ptr<nlohmann::json> json_;
+  tinygltf::Model model_;
+  std::vector<Buffer> buffers_;
+};
+
+}  // namespace barrido::scene::gltf

@@ -1,0 +1,125 @@
+// What a file asks for and how well it is drawn: extensions by name, and the features of glTF's core that a
+// fixed-function pipeline cannot draw as they are meant.
+#include <algorithm>
+#include <string_view>
+
+#include "pipeline/gltf/import_parts.h"
+
+namespace barrido::scene::gltf {
+namespace {
+
+using Support = Feature::Support;
+
+struct KnownExtension {
+  std::string_view name;
+  Support support;
+  const char* note;
+};
+
+constexpr KnownExtension kSupportedExtensions[] = {
+    {"KHR_lights_punctual", Support::approximated, "light units become intensities of fixed-function lights"},
+    {"KHR_materials_emissive_strength", Support::exact, ""},
+    {"KHR_materials_unlit", Support::exact, "lighting is switched off"},
+    {"KHR_mesh_quantization", Support::exact, ""},
+    {"KHR_texture_transform", Support::exact, "as the texture matrix"},
+};
+
+const KnownExtension* find_extension(const std::string& name) {
+  const auto found = std::find_if(std::begin(kSupportedExtensions), std::end(kSupportedExtensions),
+                                  [&](const KnownExtension& known) { return known.name == name; });
+  return found == std::end(kSupportedExtensions) ? nullptr : found;
+}
+
+bool any_material(const Scene& scene, bool (*has)(const Material&)) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), has);
+}
+
+bool any_primitive(const Scene& scene, bool (*has)(const Primitive&)) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), has);
+  });
+}
+
+bool any_sparse(const tinygltf::Model& model) {
+  return std::any_of(model.accessors.begin(), model.accessors.end(),
+                     [](const tinygltf::Accessor& accessor) { return accessor.sparse.isSparse; });
+}
+
+void list_extensions(Import& import) {
+  for (const std::string& name : import.document.model().extensionsUsed) {
+    if (const KnownExtension* known = find_extension(name)) {
+      import.scene.features.push_back({name, known->support, known->note});
+    } else {
+      import.scene.features.push_back(
+          {one_line(name, 80), Support::ignored, "the model is drawn without it"});
+    }
+  }
+}
+
+void list_materials(Import& import) {
+  const Scene& scene = import.scene;
+  const auto add = [&](bool found, const char* name, Support support, const char* note = "") {
+    if (found) import.scene.features.push_back({name, support, note});
+  };
+  add(any_material(scene, [](const Material& m) { return !m.unlit; }), "material: metallic-roughness",
+      Support::approximated, "converted to ambient, diffuse, specular and shininess");
+  add(any_material(scene, [](const Material& m) { return m.base_color_texture.texture != kNone; }),
+      "material: base colour texture", Support::exact);
+  add(any_material(scene, [](const Material& m) { return m.metallic_roughness_texture.texture != kNone; }),
+      "material: metallic-roughness texture", Support::approximated, "its mean is used");
+  add(any_material(scene, [](const Material& m) { return m.emissive_texture.texture != kNone; }),
+      "material: emissive texture", Support::exact);
+  add(any_material(scene, [](const Material& m) { return m.occlusion_texture.texture != kNone; }),
+      "material: occlusion texture", Support::ignored, "fixed function has no ambient light per texel");
+  add(any_material(scene, [](const Material& m) { return m.normal_texture.texture != kNone; }),
+      "material: normal texture", Support::ignored, "normals are those of the vertices");
+  add(any_material(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::mask; }),
+      "material: alpha mask", Support::exact, "as the alpha test");
+  add(any_material(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::blend; }),
+      "material: alpha blending", Support::approximated, "surfaces are sorted, not their pixels");
+  add(any_material(scene, [](const Material& m) { return m.double_sided; }), "material: double-sided",
+      Support::exact, "as two-sided lighting");
+}
+
+void list_geometry(Import& import) {
+  const Scene& scene = import.scene;
+  const auto add = [&](bool found, const char* name) {
+    if (found) import.scene.features.push_back({name, Support::exact, ""});
+  };
+  add(any_primitive(scene, [](const Primitive& p) { return p.mode < pipeline::PrimitiveMode::triangles; }),
+      "mesh: points and lines");
+  add(any_primitive(scene, [](const Primitive& p) { return !p.colors.empty(); }), "mesh: vertex colours");
+  add(any_primitive(scene, [](const Primitive& p) { return !p.texcoords[1].empty(); }),
+      "mesh: second texture coordinates");
+  add(any_primitive(scene, [](const Primitive& p) { return !p.morph_targets.empty(); }),
+      "mesh: morph targets");
+  add(!scene.skins.empty(), "skins");
+  add(!scene.animations.empty(), "animations");
+  add(!scene.cameras.empty(), "cameras");
+  add(any_sparse(import.document.model()), "sparse accessors");
+}
+
+}  // namespace
+
+void check_extensions(Import& import) {
+  const tinygltf::Model& model = import.document.model();
+  for (const std::string& name : model.extensionsRequired) {
+    if (find_extension(name) == nullptr) {
+      import.report.fail("extensionsRequired", one_line(name, 80) + " is not supported");
+    }
+  }
+  std::string unknown;
+  for (const std::string& name : model.extensionsUsed) {
+    if (find_extension(name) != nullptr) continue;
+    unknown += (unknown.empty() ? "" : ", ") + one_line(name, 80);
+  }
+  if (!unknown.empty()) import.report.warn("not supported and ignored: " + one_line(unknown, 400));
+}
+
+void list_features(Import& import) {
+  list_extensions(import);
+  list_materials(import);
+  list_geometry(import);
+}
+
+}  // namespace barrido::scene::gltf

@@ -1,0 +1,166 @@
+// Skins and animations: joints, inverse bind matrices, and key frames as plain floats.
+#include <algorithm>
+#include <array>
+
+#include "pipeline/gltf/import_parts.h"
+
+namespace barrido::scene::gltf {
+namespace {
+
+constexpr unsigned kAnyFormat = kFloat | kByte | kUnsignedByte | kShort | kUnsignedShort | kNormalizedByte |
+                                kNormalizedUnsignedByte | kNormalizedShort | kNormalizedUnsignedShort;
+
+Skin skin_of(Import& import, const tinygltf::Skin& source, const std::string& place) {
+  Skin skin;
+  skin.joints = source.joints;
+  if (skin.joints.empty()) import.report.fail(place + ".joints", "a skin needs at least one joint");
+  skin.inverse_bind_matrices.assign(skin.joints.size(), glm::mat4(1.0f));
+  if (source.inverseBindMatrices < 0) return skin;
+  const std::string matrices_place = place + ".inverseBindMatrices";
+  import.reader.require(source.inverseBindMatrices, matrices_place, {16}, kFloat);
+  const FloatArray values = import.reader.floats(source.inverseBindMatrices);
+  if (values.size() < 16 * skin.joints.size()) {
+    import.report.fail(matrices_place, "there are " + std::to_string(values.size() / 16) + " matrices for " +
+                                           std::to_string(skin.joints.size()) + " joints");
+  }
+  for (std::size_t i = 0; i < 16 * skin.joints.size(); ++i) {
+    skin.inverse_bind_matrices[i / 16][static_cast<int>(i % 16 / 4)][static_cast<int>(i % 4)] =
+        values.data()[i];
+  }
+  return skin;
+}
+
+/// The largest joint that each mesh names; -1 where it names none.
+std::vector<int> largest_joints(const Scene& scene) {
+  std::vector<int> largest(scene.meshes.size(), -1);
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    for (const Primitive& primitive : scene.meshes[mesh].primitives) {
+      for (const auto& joints : primitive.joints) {
+        for (const std::uint16_t joint : joints) largest[mesh] = std::max(largest[mesh], int{joint});
+      }
+    }
+  }
+  return largest;
+}
+
+void check_joints(const Import& import) {
+  const Scene& scene = import.scene;
+  const std::vector<int> largest = largest_joints(scene);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.skin == kNone) continue;
+    const std::size_t joints = scene.skins[static_cast<std::size_t>(node.skin)].joints.size();
+    const auto mesh = static_cast<std::size_t>(node.mesh);
+    if (largest[mesh] >= static_cast<int>(joints)) {
+      import.report.fail(element("nodes", i), element("meshes", mesh) + " names joint " +
+                                                  std::to_string(largest[mesh]) + ", but " +
+                                                  element("skins", static_cast<std::size_t>(node.skin)) +
+                                                  " has only " + std::to_string(joints));
+    }
+  }
+}
+
+class AnimationImporter {
+ public:
+  AnimationImporter(Import& import, const tinygltf::Animation& source, std::string place)
+      : import_(import), source_(source), place_(std::move(place)) {}
+
+  Animation run() {
+    Animation animation;
+    animation.name = source_.name;
+    for (const tinygltf::AnimationChannel& channel : source_.channels) {
+      if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
+        import_.report.fail(place_ + ".channels", "refers to samplers[" + std::to_string(channel.sampler) +
+                                                      "], but there are " +
+                                                      std::to_string(source_.samplers.size()));
+      }
+      if (channel.target_node < 0) continue;  // Nothing that glTF's core animates.
+      AnimationChannel result;
+      if (!read_target(channel, result)) continue;
+      read_keys(channel, result);
+      animation.duration_s = std::max(animation.duration_s, result.times_s.back());
+      animation.channels.push_back(std::move(result));
+    }
+    return animation;
+  }
+
+ private:
+  using Path = AnimationChannel::Path;
+  using Interpolation = AnimationChannel::Interpolation;
+
+  /// False, with a warning, when the channel moves nothing that can be moved.
+  bool read_target(const tinygltf::AnimationChannel& channel, AnimationChannel& result) const {
+    static const std::array<std::pair<const char*, Path>, 4> kPaths = {{{"translation", Path::translation},
+                                                                        {"rotation", Path::rotation},
+                                                                        {"scale", Path::scale},
+                                                                        {"weights", Path::weights}}};
+    const auto path = std::find_if(kPaths.begin(), kPaths.end(),
+                                   [&](const auto& known) { return known.first == channel.target_path; });
+    if (path == kPaths.end()) {
+      import_.report.warn("animation of \"" + one_line(channel.target_path, 40) + "\" is not supported");
+      return false;
+    }
+    result.node = channel.target_node;
+    result.path = path->second;
+    const Node& node = import_.scene.nodes[static_cast<std::size_t>(result.node)];
+    if (result.path == Path::weights && morph_targets(node) == 0) {
+      import_.report.warn("animation of morph weights of a node without morph targets is ignored");
+      return false;
+    }
+    if (result.path != Path::weights && node.transform.matrix) {
+      import_.report.warn("animation of a node whose transform is a matrix is ignored");
+      return false;
+    }
+    return true;
+  }
+
+  std::size_t morph_targets(const Node& node) const {
+    if (node.mesh == kNone) return 0;
+    return import_.scene.meshes[static_cast<std::size_t>(node.mesh)].morph_weights.size();
+  }
+
+  void read_keys(const tinygltf::AnimationChannel& channel, AnimationChannel& result) {
+    const auto index = static_cast<std::size_t>(channel.sampler);
+    const tinygltf::AnimationSampler& sampler = source_.samplers[index];
+    const std::string place = place_ + '.' + element("samplers", index);
+    if (sampler.interpolation == "STEP") result.interpolation = Interpolation::step;
+    if (sampler.interpolation == "CUBICSPLINE") result.interpolation = Interpolation::cubic_spline;
+    import_.reader.require(sampler.input, place + ".input", {1}, kFloat);
+    result.times_s = import_.reader.copy_floats(sampler.input);
+    if (!std::is_sorted(result.times_s.begin(), result.times_s.end())) {
+      import_.report.fail(place + ".input", "the times of an animation must ascend");
+    }
+
+    const Node& node = import_.scene.nodes[static_cast<std::size_t>(result.node)];
+    const int components = result.path == Path::rotation ? 4 : result.path == Path::weights ? 1 : 3;
+    const std::size_t elements_a_key = (result.path == Path::weights ? morph_targets(node) : 1) *
+                                       (result.interpolation == Interpolation::cubic_spline ? 3 : 1);
+    import_.reader.require(sampler.output, place + ".output", {components}, kAnyFormat,
+                           result.times_s.size() * elements_a_key);
+    result.values = import_.reader.copy_floats(sampler.output);
+  }
+
+  Import& import_;
+  const tinygltf::Animation& source_;
+  std::string place_;
+};
+
+}  // namespace
+
+void import_skins(Import& import) {
+  const auto& skins = import.document.model().skins;
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    import.scene.skins.push_back(skin_of(import, skins[i], element("skins", i)));
+  }
+  check_joints(import);
+}
+
+void import_animations(Import& import) {
+  const auto& animations = import.document.model().animations;
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    import.scene.animations.push_back(
+        AnimationImporter(import, animations[i], element("animations", i)).run());
+  }
+}
+
+}  // namespace barrido::scene::gltf

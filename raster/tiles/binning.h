@@ -1,0 +1,43 @@
+// Sorts the primitives of a chunk into the tiles that their bounding boxes touch, keeping their order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/fragments/primitive.h"
+#include "raster/tiles/tile_grid.h"
+
+namespace barrido::raster {
+
+/// Half-open box of pixels (or tiles).
+struct PixelBox {
+  int x_begin, y_begin, x_end, y_end;
+  bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
+};
+
+/// A chunk with, for each tile of the box of tiles it touches, the numbers of its primitives in order.
+class BinnedChunk {
+ public:
+  BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid);
+
+  const PrimitiveChunk& chunk() const { return chunk_; }
+  /// Numbers of the primitives that may touch the tile, ascending.
+  std::span<const std::uint16_t> primitives_in(int tile_column, int tile_row) const {
+    if (tile_column < tiles_.x_begin || tile_column >= tiles_.x_end || tile_row < tiles_.y_begin ||
+        tile_row >= tiles_.y_end) {
+      return {};
+    }
+    const auto tile = static_cast<std::size_t>((tile_row - tiles_.y_begin) * (tiles_.x_end - tiles_.x_begin) +
+                                               (tile_column - tiles_.x_begin));
+    return {entries_.data() + begin_[tile], begin_[tile + 1] - begin_[tile]};
+  }
+
+ private:
+  PrimitiveChunk chunk_;
+  PixelBox tiles_{0, 0, 0, 0};
+  std::vector<std::uint32_t> begin_;  // one a tile of tiles_, and the end
+  std::vector<std::uint16_t> entries_;
+};
+
+}  // namespace barrido::raster

@@ -1,0 +1,20 @@
+// What drawing costs, in counts that are exact on every machine.
+#pragma once
+
+#include <cstdint>
+
+namespace barrido::raster {
+
+/// What was done, summed over tiles; exact and independent of the number of threads.
+struct RasterStatistics {
+  std::uint64_t primitives = 0;         ///< Primitives that reached a tile, once each.
+  std::uint64_t spans = 0;              ///< Pieces of scanlines (one primitive, one row of one tile).
+  std::uint64_t fragments_covered = 0;  ///< Pixel centres inside primitives.
+  std::uint64_t fragments_shaded = 0;   ///< Fragments that were interpolated and shaded.
+  /// Quantities interpolated: depth for every covered fragment, 1/w and varyings for every shaded one. One
+  /// addition each in the incremental form (S5).
+  std::uint64_t interpolations = 0;
+  std::uint64_t texel_fetches = 0;  ///< Texels read by the filters.
+};
+
+}  // namespace barrido::raster
