@@ -165,9 +165,9 @@ scene::Image compose_sheet(std::span<const SheetPicture> pictures, const SheetOp
   const Layout layout = lay_out(pictures, options);
   if (layout.width() > kMaxSide || layout.height() > kMaxSide ||
       layout.width() * layout.height() > kMaxPixels) {
-    throw InputError("sheet", "",
-                     std::to_string(layout.width()) + " × " + std::to_string(layout.height()) +
-                         " pixels are too many; use a smaller resolution or fewer pictures");
+    throw scene::InputError("sheet", "",
+                            std::to_string(layout.width()) + " × " + std::to_string(layout.height()) +
+                                " pixels are too many; use a smaller resolution or fewer pictures");
   }
   Canvas canvas(static_cast<int>(layout.width()), static_cast<int>(layout.height()));
   if (!options.title.empty()) {
