@@ -9,7 +9,7 @@ namespace barrido::scene {
 namespace {
 
 std::string hash_of(const std::string& text) {
-  return sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return sheet::sha256_hex({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 // FIPS 180-4 example vectors (NIST, Examples with Intermediate Values, SHA-256).
