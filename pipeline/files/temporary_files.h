@@ -4,13 +4,18 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 
 namespace barrido::scene {
 
 /// A file or folder that is removed with the object, with all that a folder holds, unless told to stay.
 class TemporaryPath {
  public:
+  /// What stands there, or will.
   explicit TemporaryPath(std::filesystem::path path);
+  /// What `create` makes, and returns the name of: at no moment does it exist without being known. Passes on
+  /// what `create` throws.
+  explicit TemporaryPath(const std::function<std::filesystem::path()>& create);
   TemporaryPath(const TemporaryPath&) = delete;
   TemporaryPath& operator=(const TemporaryPath&) = delete;
   ~TemporaryPath();
@@ -24,8 +29,8 @@ class TemporaryPath {
   std::size_t slot_;
 };
 
-/// Removes the files, and then the empty folders, of all TemporaryPaths; for a process that is about to end.
-/// May be called by the handler of a signal.
+/// Removes the files, and then the empty folders, of all TemporaryPaths, and lets no more be created; for a
+/// process that is about to end. May be called by the handler of a signal.
 void remove_temporary_files() noexcept;
 
 }  // namespace barrido::scene

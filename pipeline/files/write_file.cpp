@@ -60,7 +60,7 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
   fs::path target = fs::exists(status) ? fs::canonical(path, error) : path;
   if (error) target = path;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  TemporaryPath temporary(create_temporary(folder, path));
+  TemporaryPath temporary([&] { return create_temporary(folder, path); });
   write(temporary.path());
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw cannot_write(path, errno);
   temporary.keep();

@@ -91,7 +91,7 @@ std::vector<std::uint8_t> encode_image(const std::string& extension, const Image
   const FormatTraits& format = format_to_write(name);
   if (format.openimageio_name == nullptr) return encode_built_in(format, image, options);
   // Most of the module's writers know files only.
-  const TemporaryPath folder(make_temporary_folder());
+  const TemporaryPath folder(make_temporary_folder);
   const TemporaryPath file_in_folder(folder.path() / name);
   const fs::path& file = file_in_folder.path();
   write_external(file, file, format, image, options);
