@@ -195,7 +195,15 @@ FloatArray AccessorReader::read_floats(int accessor, int out_components) {
   }
   take_scalars(accessor, scalars);
   std::vector<float> values(scalars);
-  if (in.data != nullptr) convert_to_floats(in, values.data(), out_components);
+  if (in.data != nullptr) {
+    convert_to_floats(in, values.data(), out_components);
+  } else {
+    // Elements of zeros, but what they do not have is 1, as always.
+    for (std::size_t i = 0; i < scalars; ++i) {
+      if (i % static_cast<std::size_t>(out_components) >= static_cast<std::size_t>(in.components))
+        values[i] = 1.0f;
+    }
+  }
   visit_sparse(accessor, [&](std::uint32_t index, const std::uint8_t* value) {
     in.data = value;
     in.count = 1;
