@@ -27,6 +27,14 @@ std::uint32_t pack(const std::array<float, 4>& c) {
          static_cast<std::uint32_t>(to_byte(c[2])) << 16 | static_cast<std::uint32_t>(to_byte(c[3])) << 24;
 }
 
+/// The pixels of a tile's row: its samples, of which each pixel has one.
+PixelRow pixel_row(const TileSurface& tile, int row, int count) {
+  const int at = row * kTileWidth;
+  return {{tile.color_float[0] + at, tile.color_float[1] + at, tile.color_float[2] + at,
+           tile.color_float[3] + at},
+          count};
+}
+
 void add(RasterStatistics& sum, const RasterStatistics& part) {
   sum.spans += part.spans;
   sum.fragments_covered += part.fragments_covered;
@@ -83,22 +91,22 @@ struct Rasterizer::Implementation {
     }
   }
 
+  /// The samples of a float tile become pixels and pixels bytes, which are stored as those of any tile are.
   void store(TileSurface& tile, const TileJob& job) const {
-    if (is_float()) display(tile, job);
+    if (is_float()) resolve(tile, job);
     const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight);
     store_tile({tile.color8, tile.depth}, job.width, job.height,
                {frame.color8().data() + at, frame.depth().empty() ? nullptr : frame.depth().data() + at,
                 grid.frame_width});
   }
 
-  /// Float colours to the frame's, where it keeps them, and to the tile's 8-bit ones.
-  void display(TileSurface& tile, const TileJob& job) const {
+  void resolve(TileSurface& tile, const TileJob& job) const {
     for (int row = 0; row < job.height; ++row) {
+      const PixelRow pixels = pixel_row(tile, row, job.width);
+      display_row(pixels, frame.options().display, tile.color8 + row * kTileWidth);
+      if (frame.color_float().empty()) continue;
       const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
-      display_row(tile, row, job.width, frame.options().display, tile.color8 + row * kTileWidth);
-      if (!frame.color_float().empty()) {
-        store_float_row(tile, row, job.width, frame.color_float().data() + at * 4);
-      }
+      store_float_row(pixels, frame.color_float().data() + at * 4);
     }
   }
 

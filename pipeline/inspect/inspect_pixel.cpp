@@ -5,7 +5,7 @@
 #include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/draw_state.h"
 #include "pipeline/scene/scene_nodes.h"
-#include "raster/reference/canvas.h"
+#include "raster/reference/resolve.h"
 
 namespace barrido::inspect {
 namespace {

@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "pipeline/inspect/view_observers.h"
-#include "raster/reference/canvas.h"
+#include "raster/reference/resolve.h"
 
 namespace barrido::inspect {
 namespace {

@@ -75,11 +75,10 @@ struct FramePixels {
 /// Copies the tile's first `width` columns and `height` rows into the frame, past the caches.
 void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame);
 
-/// Interleaves one row of float colours into the frame.
-void store_float_row(const TileSurface& tile, int row, int count, float* out);
+/// What is shown of a row of float pixels (docs/arithmetic.md, "Display"), to `out` in whole vectors.
+void display_row(const PixelRow& pixels, const DisplayTransform& display, std::uint32_t* out);
 
-/// Float colours of one row to packed 8-bit ones (docs/arithmetic.md, Display).
-void display_row(const TileSurface& surface, int row, int count, const DisplayTransform& display,
-                 std::uint32_t* out);
+/// The float pixels themselves, R, G, B, A each, to `out`.
+void store_float_row(const PixelRow& pixels, float* out);
 
 }  // namespace barrido::raster

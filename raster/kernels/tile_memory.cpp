@@ -53,21 +53,6 @@ void StoreTile(const TilePixels& tile, int width, int height, const FramePixels&
   }
 }
 
-void StoreFloatRow(const TileSurface& tile, int row, int count, float* out) {
-  const hn::ScalableTag<float> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  int i = 0;
-  const int at = row * kTileWidth;
-  for (; i + lanes <= count; i += lanes) {
-    hn::StoreInterleaved4(
-        hn::Load(d, tile.color_float[0] + at + i), hn::Load(d, tile.color_float[1] + at + i),
-        hn::Load(d, tile.color_float[2] + at + i), hn::Load(d, tile.color_float[3] + at + i), d, out + 4 * i);
-  }
-  for (; i < count; ++i) {
-    for (int c = 0; c < 4; ++c) out[4 * i + c] = tile.color_float[c][at + i];
-  }
-}
-
 }  // namespace barrido::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -76,7 +61,6 @@ namespace barrido::raster {
 
 HWY_EXPORT(ClearTile);
 HWY_EXPORT(StoreTile);
-HWY_EXPORT(StoreFloatRow);
 
 void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
   HWY_DYNAMIC_DISPATCH(ClearTile)(tile, color8, color, depth);
@@ -84,10 +68,6 @@ void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, flo
 
 void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame) {
   HWY_DYNAMIC_DISPATCH(StoreTile)(tile, width, height, frame);
-}
-
-void store_float_row(const TileSurface& tile, int row, int count, float* out) {
-  HWY_DYNAMIC_DISPATCH(StoreFloatRow)(tile, row, count, out);
 }
 
 }  // namespace barrido::raster

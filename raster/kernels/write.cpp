@@ -1,8 +1,5 @@
 // The end of the fragment's way: secondary colour, fog, alpha test, blending, stores (OpenGL 1.3,
-// sections 3.9 to 4.1); and the conversion of float colours for display. Enters: the colours of one batch.
-// Leaves: the tile's pixels.
-#include <algorithm>
-
+// sections 3.9 to 4.1). Enters: the colours of one batch. Leaves: the tile's pixels.
 #include "raster/kernels/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -193,38 +190,6 @@ void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
   }
 }
 
-/// The transfer function of IEC 61966-2-1.
-HWY_INLINE V encode_srgb(V c) {
-  const F d;
-  const V power = barrido::HWY_NAMESPACE::Pow(d, c, 1.0f / 2.4f);
-  const V curve = hn::Sub(hn::Mul(hn::Set(d, 1.055f), power), hn::Set(d, 0.055f));
-  return hn::IfThenElse(hn::Le(c, hn::Set(d, 0.0031308f)), hn::Mul(c, hn::Set(d, 12.92f)), curve);
-}
-
-void DisplayRow(const TileSurface& surface, int row, int count, const DisplayTransform& display,
-                std::uint32_t* out) {
-  const F d;
-  const hn::RebindToSigned<F> di;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  alignas(64) std::int32_t packed[kTileWidth];
-  for (int i = 0; i < count; i += lanes) {
-    const int at = row * kTileWidth + i;
-    Rgba color;
-    for (int c = 0; c < 3; ++c) {
-      V v = hn::Mul(hn::Load(d, surface.color_float[c] + at), hn::Set(d, display.exposure_scale));
-      if (display.tone_map == ToneMap::reinhard) {
-        v = barrido::HWY_NAMESPACE::maximum(v, hn::Zero(d));
-        v = hn::Div(v, hn::Add(one(), v));
-      }
-      v = clamp01(v);
-      color.c[c] = display.srgb_encode ? encode_srgb(v) : v;
-    }
-    color.c[3] = hn::Load(d, surface.color_float[3] + at);
-    hn::Store(pack8(color), di, packed + i);
-  }
-  std::copy_n(reinterpret_cast<const std::uint32_t*>(packed), count, out);
-}
-
 }  // namespace barrido::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -232,15 +197,9 @@ HWY_AFTER_NAMESPACE();
 namespace barrido::raster {
 
 HWY_EXPORT(WriteFragments);
-HWY_EXPORT(DisplayRow);
 
 void write_fragments(FragmentBatch& batch, TileSurface& surface) {
   HWY_DYNAMIC_DISPATCH(WriteFragments)(batch, surface);
-}
-
-void display_row(const TileSurface& surface, int row, int count, const DisplayTransform& display,
-                 std::uint32_t* out) {
-  HWY_DYNAMIC_DISPATCH(DisplayRow)(surface, row, count, display, out);
 }
 
 }  // namespace barrido::raster

@@ -2,33 +2,10 @@
 
 #include <algorithm>
 
-#include "raster/base/portable_math.h"
 #include "raster/reference/fragment_operations.h"
+#include "raster/reference/resolve.h"
 
 namespace barrido::raster::reference {
-namespace {
-
-float srgb_encoded(float c) {
-  return c <= 0.0031308f ? c * 12.92f : 1.055f * portable_pow(c, 1.0f / 2.4f) - 0.055f;
-}
-
-}  // namespace
-
-float display_channel(const DisplayTransform& display, float c) {
-  c = c * display.exposure_scale;
-  if (display.tone_map == ToneMap::reinhard) {
-    c = maximum(c, 0.0f);
-    c = c / (1.0f + c);
-  }
-  c = clamp_to_unit(c);
-  return display.srgb_encode ? srgb_encoded(c) : c;
-}
-
-std::uint32_t display_color(const DisplayTransform& display, const Color& color) {
-  Color shown = color;
-  for (std::size_t c = 0; c < 3; ++c) shown[c] = display_channel(display, color[c]);
-  return pack_rgba8(shown);
-}
 
 Canvas::Canvas(const FramebufferOptions& options, const ClearValues& clear) : options_(options) {
   const std::size_t pixels =

@@ -40,10 +40,4 @@ class Canvas {
   std::vector<float> depth_;
 };
 
-/// One channel of it, exposed, tone-mapped and encoded, before it is rounded to 8 bits.
-float display_channel(const DisplayTransform& display, float c);
-
-/// The 8-bit colour of a float frame's colour ("Display").
-std::uint32_t display_color(const DisplayTransform& display, const Color& color);
-
 }  // namespace barrido::raster::reference

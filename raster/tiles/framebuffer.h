@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "raster/base/memory.h"
+#include "raster/tiles/resolve.h"
 
 namespace barrido::raster {
 
@@ -14,18 +15,6 @@ namespace barrido::raster {
 enum class ColorFormat {
   rgba8,    ///< 8 bits a channel, clamped to [0, 1] and rounded after every fragment: OpenGL 1.x.
   rgba32f,  ///< 32-bit float, not clamped: values over the maximum survive until tone reproduction (L8).
-};
-
-enum class ToneMap {
-  clamp,     ///< min(c, 1) per channel.
-  reinhard,  ///< c / (1 + c) per channel (Reinhard et al. 2002, eq. 3).
-};
-
-/// How a float colour becomes the 8-bit colour one looks at: exposure, tone reproduction, then transfer.
-struct DisplayTransform {
-  float exposure_scale = 1.0f;  ///< Linear factor, 2^EV.
-  ToneMap tone_map = ToneMap::clamp;
-  bool srgb_encode = false;  ///< Apply the sRGB transfer function (IEC 61966-2-1) after tone mapping.
 };
 
 struct FramebufferOptions {
