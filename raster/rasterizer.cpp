@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -16,16 +15,6 @@
 
 namespace barrido::raster {
 namespace {
-
-/// NaN counts as 0.
-std::uint8_t to_byte(float c) {
-  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(0.0f, c), 1.0f) * 255.0f));
-}
-
-std::uint32_t pack(const std::array<float, 4>& c) {
-  return to_byte(c[0]) | static_cast<std::uint32_t>(to_byte(c[1])) << 8 |
-         static_cast<std::uint32_t>(to_byte(c[2])) << 16 | static_cast<std::uint32_t>(to_byte(c[3])) << 24;
-}
 
 /// The pixels of a tile's row: its samples, of which each pixel has one.
 PixelRow pixel_row(const TileSurface& tile, int row, int count) {
@@ -38,7 +27,10 @@ PixelRow pixel_row(const TileSurface& tile, int row, int count) {
 void add(RasterStatistics& sum, const RasterStatistics& part) {
   sum.spans += part.spans;
   sum.fragments_covered += part.fragments_covered;
-  sum.fragments_shaded += part.fragments_shaded;
+  for (std::size_t loop = 0; loop < kLoopCount; ++loop) {
+    sum.shaded_in[loop] += part.shaded_in[loop];
+    sum.fragments_shaded += part.shaded_in[loop];
+  }
   sum.interpolations += part.interpolations + part.fragments_covered;
   sum.texel_fetches += part.texel_fetches;
 }
@@ -126,7 +118,7 @@ struct Rasterizer::Implementation {
     job.chunks = &w.chunks;
     job.visibility_first = options.visibility_first;
     if (starts_clear) {
-      clear_tile(w.surface, pack(clear_values.color), clear_values.color.data(), clear_values.depth);
+      clear_tile(w.surface, clear_values.color.data(), clear_values.depth);
     } else {
       load_tile(w.surface, job);
     }
@@ -150,7 +142,8 @@ void Rasterizer::clear(const ClearValues& values) {
 
 std::unique_ptr<BinnedChunk> Rasterizer::bin(PrimitiveChunk&& chunk) const {
   const StageClock clock(implementation_->options.profile, Stage::binning);
-  return std::make_unique<BinnedChunk>(std::move(chunk), implementation_->grid);
+  return std::make_unique<BinnedChunk>(std::move(chunk), implementation_->grid,
+                                       implementation_->frame.options().format);
 }
 
 void Rasterizer::submit(std::unique_ptr<BinnedChunk> chunk) {

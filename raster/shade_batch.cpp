@@ -34,19 +34,18 @@ void shade_batch(TileWorkspace& workspace) {
   if (state.illumination.function != nullptr)
     state.illumination.function(state.illumination.parameters, batch);
   workspace.clock.switch_to(Stage::texture);
-  start_colors(batch);
+  start_colors(*workspace.key, batch);
   if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (!is_active(state, unit)) continue;
     workspace.statistics.texel_fetches += apply_texture(workspace, unit);
   }
   workspace.clock.switch_to(Stage::write);
-  write_fragments(batch, workspace.surface);
+  write_fragments(*workspace.key, batch, workspace.surface);
   workspace.clock.switch_to(before);
-  const bool divides = state.varyings.count > state.varyings.affine_count;
-  workspace.statistics.interpolations += static_cast<std::uint64_t>(batch.count) *
-                                         static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
-  workspace.statistics.fragments_shaded += static_cast<std::uint64_t>(batch.count);
+  const auto count = static_cast<std::uint64_t>(batch.count);
+  workspace.statistics.interpolations += count * quantities_a_fragment(state.varyings);
+  workspace.statistics.shaded_in[static_cast<std::size_t>(Loop::batch)] += count;
   batch.count = 0;
   batch.run_count = 0;
   workspace.lod_group_count = 0;

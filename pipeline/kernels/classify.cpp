@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace barrido::pipeline::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -46,11 +48,9 @@ struct Centres {
   IntV first, count;  ///< None when count is not positive.
 };
 HWY_INLINE Centres centres_between(IntV a, IntV b, IntV c) {
-  const IntV round_up = hn::Set(Ints(), raster::kSubpixelUnits / 2 - 1);
-  const IntV smallest = hn::Min(hn::Min(a, b), c);
-  const IntV largest = hn::Max(hn::Max(a, b), c);
-  const IntV first = hn::ShiftRight<raster::kSubpixelBits>(hn::Add(smallest, round_up));
-  return {first, hn::Sub(hn::ShiftRight<raster::kSubpixelBits>(hn::Add(largest, round_up)), first)};
+  const IntV first = barrido::HWY_NAMESPACE::first_centres_at(hn::Min(hn::Min(a, b), c));
+  const IntV end = barrido::HWY_NAMESPACE::first_centres_at(hn::Max(hn::Max(a, b), c));
+  return {first, hn::Sub(end, first)};
 }
 
 /// The edge function from one corner to the next, negative outside: at a pixel's centre, and what the next

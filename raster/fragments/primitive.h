@@ -18,6 +18,18 @@ inline constexpr int kSubpixelUnits = 1 << kSubpixelBits;
 inline constexpr int kGuardBandPixels = 1 << 15;
 inline constexpr int kMaxFrameSide = 16384;
 
+/// The rule of the pixel centre, of window coordinates in 1/256 pixel: a pixel's centre, and the first pixel
+/// whose centre is at or after a coordinate. For integers of any size; lanes-inl.h has it for vectors.
+template <class T>
+constexpr T centre_of(T pixel) {
+  return pixel * kSubpixelUnits + kSubpixelUnits / 2;
+}
+inline constexpr int kToFirstCentre = kSubpixelUnits / 2 - 1;
+template <class T>
+constexpr T first_centre_at(T coordinate) {
+  return (coordinate + kToFirstCentre) >> kSubpixelBits;
+}
+
 enum class Topology : std::uint8_t { points, lines, triangles };
 
 /// Floats of a vertex record before its varyings: window depth in [0, 1], then q = 1/w.

@@ -9,8 +9,8 @@
 
 #include <hwy/highway.h>
 
-#include "raster/fragments/fragment_state.h"
 #include "raster/kernels/simd_math-inl.h"
+#include "raster/tiles/kernel_key.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
@@ -20,20 +20,22 @@ using F = hn::ScalableTag<float>;
 using V = hn::Vec<F>;
 
 HWY_INLINE V one() { return hn::Set(F(), 1.0f); }
-HWY_INLINE V clamp01(V c) {
-  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F())), one());
-}
 
 struct Rgba {
   V c[4];
 };
 
+/// The same colour in every lane.
+HWY_INLINE Rgba one_color(const float* c) {
+  const F d;
+  return {{hn::Set(d, c[0]), hn::Set(d, c[1]), hn::Set(d, c[2]), hn::Set(d, c[3])}};
+}
+
 /// Factor of one channel; `s` and `t` are source and destination.
 HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, const BlendState& blend,
                           int channel) {
   const F d;
-  const auto constant = [&](int c)
-                            HWY_ATTR { return hn::Set(d, blend.constant[static_cast<std::size_t>(c)]); };
+  const auto constant = [&](int c) HWY_ATTR { return hn::Set(d, blend.constant[c]); };
   switch (factor) {
     case BlendFactor::zero:
       return hn::Zero(d);
@@ -66,13 +68,13 @@ HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, cons
     case BlendFactor::src_alpha_saturate:
       break;
   }
-  return channel == 3 ? one() : barrido::HWY_NAMESPACE::minimum(s.c[3], hn::Sub(one(), t.c[3]));
+  return channel == 3 ? one() : minimum(s.c[3], hn::Sub(one(), t.c[3]));
 }
 
 // Each way of blending knows whether it `keeps_unit`: colours in [0, 1] then give colours in [0, 1 + 2^-19],
 // which round to the same 8 bits as if they had been clamped.
 
-/// No blending: the source replaces what is there.
+/// Blending::replace.
 struct Replace {
   static constexpr bool kReads = false;
   static constexpr bool keeps_unit = true;  // NOLINT(readability-identifier-naming): not constant in each
@@ -80,20 +82,12 @@ struct Replace {
   HWY_INLINE Rgba operator()(const Rgba& source, const Rgba&) const { return source; }
 };
 
-/// Factors that are the same for all fragments, added: kept in registers.
+/// Blending::constant.
 struct BlendConstant {
   static constexpr bool kReads = true;
   Rgba source, destination;
   bool keeps_unit = true;
 
-  static bool fits(const BlendState& blend) {
-    const auto constant = [](BlendFactor f) {
-      return f == BlendFactor::zero || f == BlendFactor::one ||
-             (f >= BlendFactor::constant_color && f <= BlendFactor::one_minus_constant_alpha);
-    };
-    return blend.equation == BlendEquation::add && constant(blend.src_rgb) && constant(blend.dst_rgb) &&
-           constant(blend.src_alpha) && constant(blend.dst_alpha);
-  }
   explicit BlendConstant(const BlendState& blend) {
     const V zero = hn::Zero(F());
     const Rgba none{{zero, zero, zero, zero}};
@@ -113,16 +107,11 @@ struct BlendConstant {
   }
 };
 
-/// The usual transparency: source alpha, one minus source alpha.
+/// Blending::source_alpha.
 struct BlendSourceAlpha {
   static constexpr bool kReads = true;
   static constexpr bool keeps_unit = true;  // NOLINT(readability-identifier-naming): not constant in each
 
-  static bool fits(const BlendState& blend) {
-    return blend.equation == BlendEquation::add && blend.src_rgb == BlendFactor::src_alpha &&
-           blend.src_alpha == BlendFactor::src_alpha && blend.dst_rgb == BlendFactor::one_minus_src_alpha &&
-           blend.dst_alpha == BlendFactor::one_minus_src_alpha;
-  }
   explicit BlendSourceAlpha(const BlendState&) {}
   HWY_INLINE Rgba operator()(const Rgba& s, const Rgba& t) const {
     const V behind = hn::Sub(one(), s.c[3]);
@@ -132,7 +121,7 @@ struct BlendSourceAlpha {
   }
 };
 
-/// Any factors and equation.
+/// Blending::general.
 struct BlendGeneral {
   static constexpr bool kReads = true;
   static constexpr bool keeps_unit = false;  // NOLINT(readability-identifier-naming): not constant in each
@@ -140,8 +129,8 @@ struct BlendGeneral {
 
   explicit BlendGeneral(const BlendState& b) : blend(b) {}
   HWY_INLINE V channel(const Rgba& s, const Rgba& t, int c) const {
-    if (blend.equation == BlendEquation::min) return barrido::HWY_NAMESPACE::minimum(s.c[c], t.c[c]);
-    if (blend.equation == BlendEquation::max) return barrido::HWY_NAMESPACE::maximum(s.c[c], t.c[c]);
+    if (blend.equation == BlendEquation::min) return minimum(s.c[c], t.c[c]);
+    if (blend.equation == BlendEquation::max) return maximum(s.c[c], t.c[c]);
     const V a = hn::Mul(s.c[c], blend_factor(c == 3 ? blend.src_alpha : blend.src_rgb, s, t, blend, c));
     const V b = hn::Mul(t.c[c], blend_factor(c == 3 ? blend.dst_alpha : blend.dst_rgb, s, t, blend, c));
     if (blend.equation == BlendEquation::subtract) return hn::Sub(a, b);
@@ -152,31 +141,40 @@ struct BlendGeneral {
   }
 };
 
-/// A channel in [-2^-19, 1 + 2^-19], rounded to 8 bits: adding 2^23 leaves the nearest integer, ties to even,
-/// in the low bits of the sum. Above it stands what a shift to the left has to push out or a mask to remove.
-HWY_INLINE auto round8(V channel) {
-  const hn::RebindToSigned<F> di;
-  return hn::BitCast(di, hn::Add(hn::Mul(channel, hn::Set(F(), 255.0f)), hn::Set(F(), 8388608.0f)));
+/// The packing to bytes: channels in [-2^-19, 1 + 2^-19] rounded to 8 bits. Adding 2^23 leaves the nearest
+/// integer, ties to even, in the low bits of the sum. Above it stands what a shift to the left has to push
+/// out or a mask to remove.
+template <class Channels>
+HWY_INLINE auto round8(Channels channels) {
+  const hn::DFromV<Channels> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  return hn::BitCast(di, hn::Add(hn::Mul(channels, hn::Set(d, 255.0f)), hn::Set(d, 8388608.0f)));
 }
 
-/// Colours in [0, 1 + 2^-19] in 8 bits a channel.
+/// Colours in [0, 1 + 2^-19] in 8 bits a channel; with an alpha of 1, whatever `color` has, when kOpaque.
+template <bool kOpaque = false>
 HWY_INLINE auto pack8_unit(const Rgba& color) {
-  const auto low = hn::Set(hn::RebindToSigned<F>(), 0xff);
-  return hn::Or(hn::Or(hn::And(round8(color.c[0]), low), hn::ShiftLeft<8>(round8(color.c[1]))),
-                hn::Or(hn::ShiftLeft<16>(round8(color.c[2])), hn::ShiftLeft<24>(round8(color.c[3]))));
-}
-
-/// The same with an alpha of 1, whatever `color` has.
-HWY_INLINE auto pack8_opaque(const Rgba& color) {
   const hn::RebindToSigned<F> di;
-  const auto alpha = hn::Set(di, static_cast<std::int32_t>(0xff000000u));
-  return hn::Or(hn::Or(hn::And(round8(color.c[0]), hn::Set(di, 0xff)), hn::ShiftLeft<8>(round8(color.c[1]))),
+  auto alpha = hn::Set(di, static_cast<std::int32_t>(0xff000000u));
+  if constexpr (!kOpaque) alpha = hn::ShiftLeft<24>(round8(color.c[3]));
+  const auto red = hn::And(round8(color.c[0]), hn::Set(di, 0xff));
+  return hn::Or(hn::Or(red, hn::ShiftLeft<8>(round8(color.c[1]))),
                 hn::Or(hn::ShiftLeft<16>(round8(color.c[2])), alpha));
 }
 
 /// Any colours.
 HWY_INLINE auto pack8(const Rgba& color) {
   return pack8_unit({{clamp01(color.c[0]), clamp01(color.c[1]), clamp01(color.c[2]), clamp01(color.c[3])}});
+}
+
+/// One pixel's colour from its four channels, of any size.
+HWY_INLINE std::uint32_t pack_pixel(hn::Vec<hn::FixedTag<float, 4>> channels) {
+  const hn::FixedTag<std::uint8_t, 16> d8;
+  alignas(16) static constexpr std::uint8_t kLowBytes[16] = {0, 4, 8, 12, 0, 4, 8, 12,
+                                                             0, 4, 8, 12, 0, 4, 8, 12};
+  const auto bytes =
+      hn::TableLookupBytes(hn::BitCast(d8, round8(clamp01(channels))), hn::Load(d8, kLowBytes));
+  return hn::GetLane(hn::BitCast(hn::FixedTag<std::uint32_t, 4>(), bytes));
 }
 
 /// The byte kByte of each lane, as an integer.

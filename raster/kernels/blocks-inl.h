@@ -1,6 +1,19 @@
 // Small triangles, a block of eight columns by as many rows as fill a vector at a time: where spans would
 // leave most lanes idle. The same spans, anchors and planes as everywhere, so the same bits. Enters: the
 // spans of a triangle and simple opaque colours. Leaves: pixels and depth.
+//
+// Rows are prepared eight at a time (ends, anchors, first values), then blocks of 8 × 2 pixels walk along
+// each pair of rows. Half of their lanes hold pixels of a triangle of some dozens: about 35 cycles a block,
+// five blocks a triangle. Milliseconds below are a frame of W8 (docs/performance.md). Rejected:
+// - Spans for all, as for large triangles: 14.6; the first blocks, of 4 × 4, took 13.
+// - Blocks of 4 × 4 whose rows are prepared one by one, clamped and with alpha always: 10.4, for 8.2 now
+// (spans
+//   by products with reciprocals among it).
+// - One loop over all blocks of a triangle in place of loops over its rows: 3 % slower.
+// - Not asking whether a block's mask is empty: no faster.
+// - A vector loaded across row values that were just stored in pieces: it waits for the stores; broadcasts of
+//   single numbers do not, which is 5 %.
+// - Blocks for triangles of any width: above kMostBlockColumns columns rows fill the vectors anyway.
 #if defined(BARRIDO_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_BLOCKS_INL_H
 #undef BARRIDO_BLOCKS_INL_H
@@ -64,14 +77,14 @@ class TriangleBlocks {
   static constexpr int kColumns = kLanes < 8 ? kLanes : 8;
   static constexpr int kRows = kLanes / kColumns;  ///< One or two.
 
-  TriangleBlocks(TileSurface& surface, const TileArea& tile, const ScissorBox& scissor,
-                 const DepthState& state)
+  TriangleBlocks(TileSurface& surface, const TileArea& tile, const ScissorBox& scissor, const KernelKey& key,
+                 const AnyDepth& any_depth)
       : surface_(surface),
         tile_(tile),
         scissor_(scissor),
         is_cut_(cuts(scissor, tile)),
-        is_usual_(state.test && state.write && state.compare == Compare::less),
-        rule_(state, state.write),
+        is_usual_(key.depth == DepthTest::less),
+        any_depth_(any_depth),
         covered_(hn::Zero(GroupI())) {}
 
   /// Draws the triangle that has these spans.
@@ -102,7 +115,7 @@ class TriangleBlocks {
     const GroupI di;
     const hn::Rebind<float, GroupI> d;
     for (int i = 0; i < kGroupRows; i += static_cast<int>(hn::Lanes(di))) {
-      const auto r = barrido::HWY_NAMESPACE::lanes_from(di, row + i);
+      const auto r = lanes_from(di, row + i);
       const auto first = hn::LoadU(di, spans.first + row + i);
       const auto end = hn::LoadU(di, spans.end + row + i);
       auto is_drawn = hn::And(hn::Lt(first, end), hn::Lt(r, hn::Set(di, spans.row_end)));
@@ -135,7 +148,7 @@ class TriangleBlocks {
     const auto to_y = hn::Set(d, (tile_.y + row + 0.5) - paint.planes.y0);
     for (int i = 0; i < kGroupRows; i += static_cast<int>(hn::Lanes(d))) {
       const auto dx = hn::Add(hn::PromoteTo(d, hn::Load(di, first_ + i)), to_x);
-      const auto dy = hn::Add(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<double>(i)), to_y);
+      const auto dy = hn::Add(lanes_from(d, static_cast<double>(i)), to_y);
       const auto find = [&](int quantity, Group& values) HWY_ATTR {
         const hn::Rebind<float, GroupD> df;
         const Planes& p = paint.planes;
@@ -165,29 +178,30 @@ class TriangleBlocks {
   HWY_INLINE void draw_colored(int row, const BlockPaint& paint) {
     const bool plain = takes_plain_way(paint);
     if (paint.flat != nullptr) {
-      const OneColor color(paint.flat);
-      plain ? draw_group<true>(row, paint, color) : draw_group<false>(row, paint, color);
+      const OneColor color{pack8(one_color(paint.flat))};
+      plain ? draw_group(UsualDepth(), row, paint, color) : draw_group(any_depth_, row, paint, color);
     } else if (!plain) {
-      draw_group<false>(row, paint, AnyColors{*this, paint});
+      draw_group(any_depth_, row, paint, AnyColors{*this, paint});
     } else if (paint.divides) {
-      draw_group<true>(row, paint, PlainColors<true>{*this, paint});
+      draw_group(UsualDepth(), row, paint, PlainColors<true>{*this, paint});
     } else {
-      draw_group<true>(row, paint, PlainColors<false>{*this, paint});
+      draw_group(UsualDepth(), row, paint, PlainColors<false>{*this, paint});
     }
   }
 
-  template <bool kPlain, class Colors>
-  HWY_INLINE void draw_group(int row, const BlockPaint& paint, const Colors& colors) {
+  template <class Rule, class Colors>
+  HWY_INLINE void draw_group(const Rule& rule, int row, const BlockPaint& paint, const Colors& colors) {
     for (int i = 0; i < kGroupRows; i += kRows) {
       const int end = std::max(end_[i], end_[i + kRows - 1]);
       for (int x = std::min(begin_[i], begin_[i + kRows - 1]); x < end; x += kColumns) {
-        draw_block<kPlain>(row, i, x, paint, colors);
+        draw_block(rule, row, i, x, paint, colors);
       }
     }
   }
 
-  template <bool kPlain, class Colors>
-  HWY_INLINE void draw_block(int group, int i, int x, const BlockPaint& paint, const Colors& colors) {
+  template <class Rule, class Colors>
+  HWY_INLINE void draw_block(const Rule& rule, int group, int i, int x, const BlockPaint& paint,
+                             const Colors& colors) {
     const D d;
     const I di;
     const int at = (group + i) * kTileWidth + x;
@@ -196,18 +210,11 @@ class TriangleBlocks {
     // No column is before what is drawn of its row: that begins at the anchor or, with the blocks, at the
     // scissor's edge.
     auto mask = hn::And(hn::Ge(k, hn::Zero(d)), hn::Lt(column, in_rows(to_, i)));
-    V z = value(depth_, i, paint, kRecordDepth, k);
+    const V z = rule.bounded(value(depth_, i, paint, kRecordDepth, k));
     const V stored = load_block(d, surface_.depth + at);
-    if constexpr (kPlain) {
-      mask = hn::And(mask, hn::Lt(z, stored));
-      if (hn::AllFalse(d, mask)) return;
-      store_block(d, hn::IfThenElse(mask, z, stored), surface_.depth + at);
-    } else {
-      z = clamp01(z);
-      mask = hn::And(mask, rule_(z, stored));
-      if (hn::AllFalse(d, mask)) return;
-      store_block(d, hn::IfThenElse(hn::And(mask, rule_.write), z, stored), surface_.depth + at);
-    }
+    mask = hn::And(mask, rule.passes(z, stored));
+    if (hn::AllFalse(d, mask)) return;
+    store_block(d, hn::IfThenElse(rule.written(mask), z, stored), surface_.depth + at);
     shaded_ += hn::CountTrue(d, mask);
     auto* pixels = reinterpret_cast<std::int32_t*>(surface_.color8) + at;
     store_block(di, hn::IfThenElse(hn::RebindMask(di, mask), colors(i, k), load_block(di, pixels)), pixels);
@@ -220,8 +227,6 @@ class TriangleBlocks {
   // Packed colours of the block in row i of the group whose pixels are `k` columns from the anchors.
 
   struct OneColor {
-    explicit OneColor(const float* c)
-        : packed(pack8({{hn::Set(D(), c[0]), hn::Set(D(), c[1]), hn::Set(D(), c[2]), hn::Set(D(), c[3])}})) {}
     HWY_INLINE hn::Vec<I> operator()(int, V) const { return packed; }
     hn::Vec<I> packed;
   };
@@ -233,8 +238,7 @@ class TriangleBlocks {
       Rgba rgba;
       for (int c = 0; c < 4; ++c) rgba.c[c] = blocks.value(blocks.color_[c], i, paint, paint.color + c, k);
       if (paint.divides) {
-        const V q = blocks.value(blocks.q_, i, paint, kRecordQ, k);
-        const V w = hn::Div(one(), barrido::HWY_NAMESPACE::maximum(q, hn::Set(D(), kSmallestQ)));
+        const V w = inverse_q(blocks.value(blocks.q_, i, paint, kRecordQ, k));
         for (V& c : rgba.c) c = hn::Mul(c, w);
       }
       return pack8(rgba);
@@ -249,10 +253,11 @@ class TriangleBlocks {
       Rgba rgba;
       for (int c = 0; c < 3; ++c) rgba.c[c] = blocks.value(blocks.color_[c], i, paint, paint.color + c, k);
       if constexpr (kDivides) {
+        // has_plain_colors() has seen that q is not small.
         const V w = hn::Div(one(), blocks.value(blocks.q_, i, paint, kRecordQ, k));
         for (int c = 0; c < 3; ++c) rgba.c[c] = hn::Mul(rgba.c[c], w);
       }
-      return pack8_opaque(rgba);
+      return pack8_unit<true>(rgba);
     }
   };
 
@@ -286,7 +291,7 @@ class TriangleBlocks {
   const ScissorBox scissor_;
   const bool is_cut_;  ///< By the scissor.
   const bool is_usual_;
-  const DepthRule rule_;
+  const AnyDepth any_depth_;
   hn::Vec<GroupI> covered_;  ///< Pixels, counted in each lane.
   std::uint64_t spans_ = 0, shaded_ = 0;
   // Of the rows of a group:

@@ -81,7 +81,7 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[3])), hn::Mul(t.c[c], t.c[3]));
         break;
       case TextureEnvMode::blend: {
-        const V constant = hn::Set(F(), unit.env_color[static_cast<std::size_t>(c)]);
+        const V constant = hn::Set(F(), unit.env_color[c]);
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
         break;
       }
@@ -98,7 +98,7 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
 void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[kBatchStride],
                     const float (*primary)[kBatchStride]) {
   const F d;
-  const TextureUnit& unit = batch.state->texture_units[static_cast<std::size_t>(unit_number)];
+  const TextureUnit& unit = batch.state->texture_units[unit_number];
   const bool clamp = batch.state->clamp_colors;
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const Rgba previous = load(batch.color, i);
@@ -131,15 +131,15 @@ void take_colors(const float (*from)[kBatchStride], float (*to)[kBatchStride], i
   }
 }
 
-void StartColors(FragmentBatch& batch) {
+/// Colours of the primitive stand there already, clamped.
+void StartColors(const KernelKey& key, FragmentBatch& batch) {
   const FragmentState& state = *batch.state;
   const bool made = state.illumination.function != nullptr;
   const auto take = [&](int varying, float(*to)[kBatchStride], int channels) {
-    if (!made && varying == kAbsent) return;  // flat colours stand there already, clamped
     take_colors(made ? to : batch.varying + varying, to, channels, batch.count, state.clamp_colors);
   };
-  if (!color_is_replaced(state)) take(state.varyings.color, batch.color, 4);
-  if (state.separate_specular) take(state.varyings.specular, batch.specular, 3);
+  if (key.takes_primary && !key.fills_primary) take(state.varyings.color, batch.color, 4);
+  if (state.separate_specular && !key.fills_secondary) take(state.varyings.specular, batch.specular, 3);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -156,7 +156,9 @@ void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatch
   HWY_DYNAMIC_DISPATCH(CombineTexture)(batch, unit, texel, primary);
 }
 
-void start_colors(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(StartColors)(batch); }
+void start_colors(const KernelKey& key, FragmentBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(StartColors)(key, batch);
+}
 
 }  // namespace barrido::raster
 #endif

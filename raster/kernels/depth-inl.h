@@ -9,61 +9,88 @@
 
 #include <hwy/highway.h>
 
-#include <type_traits>
-
-#include "raster/kernels/simd_math-inl.h"
-
 #include "raster/kernels/lanes-inl.h"
+#include "raster/kernels/simd_math-inl.h"
 #include "raster/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Comparison of floats as a mask; `incoming` stands left.
-template <Compare kCompare, class V>
-HWY_INLINE auto compare(V incoming, V stored) {
-  if constexpr (kCompare == Compare::less) {
-    return hn::Lt(incoming, stored);
-  } else if constexpr (kCompare == Compare::equal) {
-    return hn::Eq(incoming, stored);
-  } else if constexpr (kCompare == Compare::less_equal) {
-    return hn::Le(incoming, stored);
-  } else if constexpr (kCompare == Compare::greater) {
-    return hn::Gt(incoming, stored);
-  } else if constexpr (kCompare == Compare::not_equal) {
-    return hn::Not(hn::Eq(incoming, stored));  // true for NaN, which Ne leaves open
-  } else if constexpr (kCompare == Compare::greater_equal) {
-    return hn::Ge(incoming, stored);
-  } else if constexpr (kCompare == Compare::always) {
-    return hn::Eq(hn::Zero(hn::DFromV<V>()), hn::Zero(hn::DFromV<V>()));
-  } else {
-    return hn::Lt(hn::Zero(hn::DFromV<V>()), hn::Zero(hn::DFromV<V>()));
-  }
+/// The usual comparison, `less`, for pixels in vectors and for one.
+template <class V>
+HWY_INLINE auto is_nearer(V incoming, V stored) {
+  return hn::Lt(incoming, stored);
 }
+inline bool is_nearer(float incoming, float stored) { return incoming < stored; }
 
-/// Calls `call.template operator()<kCompare>()` for the comparison at hand.
-template <class Call>
-HWY_INLINE void with_compare(Compare function, Call&& call) {
-  switch (function) {
-    case Compare::never:
-      return call.template operator()<Compare::never>();
-    case Compare::less:
-      return call.template operator()<Compare::less>();
-    case Compare::equal:
-      return call.template operator()<Compare::equal>();
-    case Compare::less_equal:
-      return call.template operator()<Compare::less_equal>();
-    case Compare::greater:
-      return call.template operator()<Compare::greater>();
-    case Compare::not_equal:
-      return call.template operator()<Compare::not_equal>();
-    case Compare::greater_equal:
-      return call.template operator()<Compare::greater_equal>();
-    case Compare::always:
-      return call.template operator()<Compare::always>();
+/// Any comparison: which of its outcomes pass, as masks. The incoming value stands left.
+struct CompareRule {
+  using D = hn::ScalableTag<float>;
+  hn::Mask<D> less, equal, greater, unordered;
+
+  explicit CompareRule(Compare c) {
+    const bool any = c == Compare::always;
+    const bool unequal = c == Compare::not_equal;
+    less = on(any || unequal || c == Compare::less || c == Compare::less_equal);
+    equal = on(any || c == Compare::equal || c == Compare::less_equal || c == Compare::greater_equal);
+    greater = on(any || unequal || c == Compare::greater || c == Compare::greater_equal);
+    unordered = on(any || unequal);  // one of them is a NaN
   }
-}
+  static HWY_INLINE hn::Mask<D> on(bool all) {
+    const hn::RebindToSigned<D> di;
+    return hn::RebindMask(D(), hn::MaskFromVec(hn::Set(di, all ? -1 : 0)));
+  }
+  HWY_INLINE hn::Mask<D> operator()(hn::Vec<D> incoming, hn::Vec<D> stored) const {
+    const auto lt = is_nearer(incoming, stored);
+    const auto eq = hn::Eq(incoming, stored);
+    const auto gt = hn::Gt(incoming, stored);
+    const auto ordered = hn::Or(hn::Or(lt, eq), gt);
+    return hn::Or(hn::Or(hn::And(lt, less), hn::And(eq, equal)),
+                  hn::Or(hn::And(gt, greater), hn::AndNot(ordered, unordered)));
+  }
+};
+
+// The depth test of pixels, in one of two forms: bounded(z) is the depth that is compared and stored,
+// passes(z, stored) the pixels that pass, written(passed) those whose depth is stored.
+
+/// DepthTest::less, of depths that need no clamping.
+struct UsualDepth {
+  template <class V>
+  HWY_INLINE V bounded(V z) const {
+    return z;
+  }
+  template <class V>
+  HWY_INLINE auto passes(V z, V stored) const {
+    return is_nearer(z, stored);
+  }
+  template <class M>
+  HWY_INLINE M written(M passed) const {
+    return passed;
+  }
+};
+
+/// Any test of any depths.
+struct AnyDepth {
+  CompareRule compare;
+  hn::Mask<CompareRule::D> write;
+
+  AnyDepth(const DepthState& state, const KernelKey& key)
+      : compare(key.depth == DepthTest::off ? Compare::always : state.compare),
+        write(CompareRule::on(state.write && key.depth != DepthTest::off && !key.late_depth)) {}
+  template <class V>
+  HWY_INLINE V bounded(V z) const {
+    return clamp01(z);
+  }
+  template <class V>
+  HWY_INLINE auto passes(V z, V stored) const {
+    return compare(z, stored);
+  }
+  template <class M>
+  HWY_INLINE M written(M passed) const {
+    return hn::And(passed, write);
+  }
+};
 
 /// Where to begin with the vectors of columns [begin, end): aligned, unless one vector that is not will do.
 inline int first_vector(int begin, int end, int lanes) {
@@ -75,59 +102,27 @@ struct SpanDepth {
   float row;
   float slope;
   int anchor;
+
+  float at(int x) const { return row + slope * static_cast<float>(x - anchor); }
 };
 
 /// Columns [begin, end) as a mask of the vector that starts at x.
 template <class D>
 HWY_INLINE auto columns_mask(D d, int x, int begin, int end) {
-  using barrido::HWY_NAMESPACE::lanes_below;
   return hn::AndNot(lanes_below(d, begin - x), lanes_below(d, end - x));
 }
 
 /// Whether no depth of columns [begin, end) needs clamping to [0, 1]. In floating point, too, a linear
 /// function is monotonic, so the ends decide.
 inline bool within_unit(const SpanDepth& depth, int begin, int end) {
-  const auto at = [&depth](int x) { return depth.row + depth.slope * static_cast<float>(x - depth.anchor); };
-  const float a = at(begin);
-  const float b = at(end - 1);
+  const float a = depth.at(begin);
+  const float b = depth.at(end - 1);
   return a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f;
 }
 
-/// A depth test of any kind: which outcomes of comparing the incoming depth with the stored one pass, as
-/// masks.
-struct DepthRule {
-  using D = hn::ScalableTag<float>;
-  hn::Mask<D> less, equal, greater, unordered, write;
-
-  DepthRule(const DepthState& state, bool writes) {
-    const hn::RebindToSigned<D> di;
-    const auto mask = [&](bool on)
-                          HWY_ATTR { return hn::RebindMask(D(), hn::MaskFromVec(hn::Set(di, on ? -1 : 0))); };
-    const Compare c = state.test ? state.compare : Compare::always;
-    const bool any = c == Compare::always;
-    const bool unequal = c == Compare::not_equal;
-    less = mask(any || unequal || c == Compare::less || c == Compare::less_equal);
-    equal = mask(any || c == Compare::equal || c == Compare::less_equal || c == Compare::greater_equal);
-    greater = mask(any || unequal || c == Compare::greater || c == Compare::greater_equal);
-    unordered = mask(any || unequal);  // a NaN that the frame was cleared to
-    write = mask(writes && state.test);
-  }
-  template <class V>
-  HWY_INLINE hn::Mask<D> operator()(V incoming, V stored) const {
-    const auto lt = hn::Lt(incoming, stored);
-    const auto eq = hn::Eq(incoming, stored);
-    const auto gt = hn::Gt(incoming, stored);
-    const auto ordered = hn::Or(hn::Or(lt, eq), gt);
-    return hn::Or(hn::Or(hn::And(lt, less), hn::And(eq, equal)),
-                  hn::Or(hn::And(gt, greater), hn::AndNot(ordered, unordered)));
-  }
-};
-
-/// The usual one: `less`, with writing, of depths that need no clamping.
-struct UsualDepthRule {};
-
 /// Tests columns [begin, end) of a row and calls passed(x, mask, column) for each vector of pixels, where
-/// `column` are the columns as numbers from the anchor on; writes the depth where the test passes.
+/// `column` are the columns as numbers from the anchor on; writes the depth where the test passes. `start` is
+/// the column of the first vector, at most `begin`.
 template <class Rule, class Passed>
 HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& depth, int start, int begin,
                            int end, Passed&& passed) {
@@ -135,34 +130,26 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto row = hn::Set(d, depth.row);
   const auto slope = hn::Set(d, depth.slope);
-  int x = start;
-  auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
-  const auto all = barrido::HWY_NAMESPACE::lanes_below(d, lanes);
-  for (; x < end; x += lanes) {
+  auto column = lanes_from(d, static_cast<float>(start - depth.anchor));
+  const auto all = lanes_below(d, lanes);
+  for (int x = start; x < end; x += lanes) {
     auto mask = x >= begin && x + lanes <= end ? all : columns_mask(d, x, begin, end);
-    auto z = hn::Add(row, hn::Mul(slope, column));
-    const auto stored = hn::LoadU(d, depth_row + x);
-    if constexpr (std::is_same_v<Rule, UsualDepthRule>) {
-      mask = hn::And(mask, hn::Lt(z, stored));
-      hn::BlendedStore(z, mask, d, depth_row + x);
-    } else {
-      z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)), hn::Set(d, 1.0f));
-      mask = hn::And(mask, rule(z, stored));
-      hn::BlendedStore(z, hn::And(mask, rule.write), d, depth_row + x);
-    }
+    const auto z = rule.bounded(hn::Add(row, hn::Mul(slope, column)));
+    mask = hn::And(mask, rule.passes(z, hn::LoadU(d, depth_row + x)));
+    hn::BlendedStore(z, rule.written(mask), d, depth_row + x);
     passed(x, mask, column);
     column = hn::Add(column, hn::Set(d, static_cast<float>(lanes)));  // small integers: exact
   }
 }
 
-/// `start` is the column of the first vector, at most `begin`.
+/// By the usual rule where the key and the span's ends allow it, else by `any`.
 template <class Passed>
-HWY_INLINE void test_depth(const DepthState& state, bool write, float* depth_row, const SpanDepth& depth,
-                           int start, int begin, int end, Passed&& passed) {
-  if (state.test && state.compare == Compare::less && write && within_unit(depth, begin, end)) {
-    test_depth(UsualDepthRule(), depth_row, depth, start, begin, end, passed);
+HWY_INLINE void test_depth(const KernelKey& key, const AnyDepth& any, float* depth_row,
+                           const SpanDepth& depth, int start, int begin, int end, Passed&& passed) {
+  if (key.depth == DepthTest::less && within_unit(depth, begin, end)) {
+    test_depth(UsualDepth(), depth_row, depth, start, begin, end, passed);
   } else {
-    test_depth(DepthRule(state, write), depth_row, depth, start, begin, end, passed);
+    test_depth(any, depth_row, depth, start, begin, end, passed);
   }
 }
 

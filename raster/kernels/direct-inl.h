@@ -1,7 +1,7 @@
-// Shading without a detour: colours that need neither textures nor illumination per fragment nor fog go from
-// the span's planes straight to the 8-bit surface. The same operations as the batch's stages
-// (shade_batch.cpp), so the same bits; what is saved is their way through memory, which costs more than the
-// arithmetic.
+// Shading without a detour, ColorWay::flat and ColorWay::smooth: colours that need neither textures nor
+// illumination per fragment nor fog go from the span's planes straight to the 8-bit surface. The same
+// operations as the batch's stages (shade_batch.cpp), so the same bits; what is saved is their way through
+// memory, which costs more than the arithmetic.
 #if defined(BARRIDO_DIRECT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_DIRECT_INL_H
 #undef BARRIDO_DIRECT_INL_H
@@ -19,40 +19,12 @@ HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// How a chunk's fragments reach the surface.
-enum class Route : std::uint8_t {
-  batch,  ///< By the stages of shade_batch.
-  flat,   ///< One colour a primitive, opaque.
-  smooth,
-  smooth_blend_constant,
-  smooth_blend_source_alpha,
-};
-
-inline Route route_of(const FragmentState& state, ColorFormat format) {
-  bool textured = false;
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) textured |= is_active(state, unit);
-  if (format != ColorFormat::rgba8 || textured || state.illumination.function != nullptr ||
-      state.fog.enabled || state.alpha_test.enabled || !all_channels(state.color_mask)) {
-    return Route::batch;
-  }
-  const bool has_flat_specular = state.separate_specular && state.varyings.specular == kAbsent;
-  if (state.varyings.color == kAbsent && (has_flat_specular || !state.separate_specular)) {
-    return state.blend.enabled ? Route::batch : Route::flat;
-  }
-  if (state.separate_specular) return Route::batch;
-  if (!state.blend.enabled) return Route::smooth;
-  if (BlendConstant::fits(state.blend)) return Route::smooth_blend_constant;
-  return BlendSourceAlpha::fits(state.blend) ? Route::smooth_blend_source_alpha : Route::batch;
-}
-
 using Pixels = std::int32_t*;  ///< A row of the surface, packed 8-bit colours.
 
 /// One colour for all pixels of a primitive.
 class FlatPixels {
  public:
-  explicit FlatPixels(const float* color)
-      : packed_(pack8({{hn::Set(F(), color[0]), hn::Set(F(), color[1]), hn::Set(F(), color[2]),
-                        hn::Set(F(), color[3])}})) {}
+  explicit FlatPixels(const float* color) : packed_(pack8(one_color(color))) {}
 
   HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask, V) const {
     const hn::RebindToSigned<F> di;
@@ -76,18 +48,14 @@ HWY_INLINE bool colors_are_unit(const InterpolatedSpan& span, int color, int beg
   return hn::AllTrue(d, hn::And(is_unit_at(begin), is_unit_at(end - 1)));
 }
 
-/// Whether the colours of a span are divided by q.
-inline bool divides(const VaryingLayout& layout, const InterpolatedSpan& span) {
-  return layout.color >= layout.affine_count && !span.constant_q;
-}
-
 /// Interpolated colours of one span, blended with what is there unless Blend is Replace. kIsUnit: they are in
 /// [0, 1] before they are blended, and divided by no q. kOneAlpha: so are they, and alpha does not change.
 template <class Blend, bool kIsUnit, bool kOneAlpha>
 class SmoothPixels {
  public:
-  SmoothPixels(const VaryingLayout& layout, const InterpolatedSpan& span, const Blend& blend)
-      : span_(span), blend_(blend), color_(kRecordVaryings + layout.color), divides_(divides(layout, span)) {}
+  /// `color`: the first of the four quantities.
+  SmoothPixels(const InterpolatedSpan& span, int color, bool divides, const Blend& blend)
+      : span_(span), blend_(blend), color_(color), divides_(divides) {}
 
   /// The vector of pixels from column x on, which are `k` columns from the anchor.
   HWY_INLINE void operator()(Pixels row, int x, hn::Mask<F> mask, V k) const {
@@ -100,8 +68,7 @@ class SmoothPixels {
     Rgba color{{linear(color_), linear(color_ + 1), linear(color_ + 2),
                 kOneAlpha ? hn::Set(d, span_.row[color_ + 3]) : linear(color_ + 3)}};
     if (!kIsUnit && divides_) {
-      const V q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
-      const V w = hn::Div(one(), q);
+      const V w = inverse_q(linear(kRecordQ));
       for (V& c : color.c) c = hn::Mul(c, w);
     }
     if constexpr (Blend::kReads) {

@@ -45,8 +45,7 @@ HWY_INLINE void interpolate_vector(D d, const InterpolatedSpan& span, const Vary
     hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at);
   }
   if (perspective_from == layout.count) return;
-  const auto q = barrido::HWY_NAMESPACE::maximum(linear(kRecordQ), hn::Set(d, kSmallestQ));
-  const auto w = hn::Div(hn::Set(d, 1.0f), q);
+  const auto w = inverse_q(linear(kRecordQ));
   for (int v = perspective_from; v < layout.count; ++v) {
     hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at);
   }
@@ -57,7 +56,7 @@ template <class D>
 HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const VaryingLayout& layout, int x,
                                      int count, FragmentBatch& batch, int at) {
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
+    const auto k = lanes_from(d, static_cast<float>(x + i - span.anchor));
     interpolate_vector(d, span, layout, k, batch, at + i);
   }
 }
@@ -76,20 +75,17 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
                                   int at) {
   const hn::ScalableTag<float> d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto k = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x + i - span.anchor));
+    const auto k = lanes_from(d, static_cast<float>(x + i - span.anchor));
     const auto z = hn::Add(hn::Set(d, span.row[kRecordDepth]),
                            hn::Mul(hn::Set(d, span.planes->slope_x[kRecordDepth]), k));
-    hn::StoreU(
-        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)), hn::Set(d, 1.0f)), d,
-        batch.depth + at + i);
+    hn::StoreU(clamp01(z), d, batch.depth + at + i);
   }
 }
 
 /// The quantities that a unit's level of detail depends on; for affine coordinates the last does not count.
 inline std::array<int, 3> lod_quantities(const VaryingLayout& layout, int unit) {
-  const auto u = static_cast<std::size_t>(unit);
-  const int s = kRecordVaryings + layout.texcoord[u];
-  return {s, s + 1, layout.texcoord_kind[u] == TexcoordKind::plain ? kRecordQ : s + 2};
+  const int s = kRecordVaryings + layout.texcoord[unit];
+  return {s, s + 1, layout.texcoord_kind[unit] == TexcoordKind::plain ? kRecordQ : s + 2};
 }
 
 /// Appends the run's groups of four pixels to the unit's groups: what their level of detail depends on.
@@ -101,12 +97,10 @@ HWY_INLINE void append_lod_groups(const InterpolatedSpan& span, const FragmentSt
   const int first = x & ~3;
   const int group_count = lod_groups_in(x, count);
   for (int g = 0; g < group_count; g += lanes) {
-    auto center =
-        hn::Add(hn::Mul(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
-                hn::Set(d, static_cast<float>(first) + 1.5f));
-    center = barrido::HWY_NAMESPACE::minimum(
-        barrido::HWY_NAMESPACE::maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
-        hn::Set(d, static_cast<float>(span.last)));
+    auto center = hn::Add(hn::Mul(lanes_from(d, static_cast<float>(g)), hn::Set(d, 4.0f)),
+                          hn::Set(d, static_cast<float>(first) + 1.5f));
+    center = minimum(maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
+                     hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       const int quantity = quantities[i];
@@ -124,22 +118,16 @@ HWY_INLINE void fill(const float* values, int channels, bool clamp, int count, f
   const hn::ScalableTag<float> d;
   for (int c = 0; c < channels; ++c) {
     const auto value = hn::Set(d, values[c]);
-    const auto v = clamp ? barrido::HWY_NAMESPACE::minimum(
-                               barrido::HWY_NAMESPACE::maximum(value, hn::Zero(d)), hn::Set(d, 1.0f))
-                         : value;
+    const auto v = clamp ? clamp01(value) : value;
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(v, d, out[c] + at + i);
   }
 }
 
 /// The colours that no varying carries are the same for every fragment of the primitive.
-HWY_INLINE void fill_flat(const FlatColors& flat, const FragmentState& state, bool color_is_replaced,
-                          int count, FragmentBatch& batch, int at) {
-  const bool clamp = state.clamp_colors;
-  if (state.varyings.color == kAbsent && !color_is_replaced)
-    fill(flat.color, 4, clamp, count, batch.color, at);
-  if (state.varyings.specular == kAbsent && state.separate_specular) {
-    fill(flat.specular, 3, clamp, count, batch.specular, at);
-  }
+HWY_INLINE void fill_flat(const FlatColors& flat, const KernelKey& key, bool clamp, int count,
+                          FragmentBatch& batch, int at) {
+  if (key.fills_primary) fill(flat.color, 4, clamp, count, batch.color, at);
+  if (key.fills_secondary) fill(flat.specular, 3, clamp, count, batch.specular, at);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

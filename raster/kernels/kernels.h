@@ -12,21 +12,9 @@ void rasterize_tile(const TileJob& job, TileWorkspace& workspace);
 /// Shades all fragments of workspace.batch, writes them to workspace.surface and empties the batch.
 void shade_batch(TileWorkspace& workspace);
 
-/// Whether the unit's filters depend on the level of detail.
-inline bool needs_lod(const TextureUnit& unit) {
-  return !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
-           (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
-}
-
-/// Whether the primary colour reaches no result, because the first texture takes its place.
-inline bool color_is_replaced(const FragmentState& state) {
-  const TextureUnit* first = nullptr;
-  for (int unit = kMaxTextureUnits - 1; unit >= 0; --unit) {
-    if (!is_active(state, unit)) continue;
-    first = &state.texture_units[static_cast<std::size_t>(unit)];
-    if (first->env_mode == TextureEnvMode::combine) return false;
-  }
-  return first != nullptr && first->env_mode == TextureEnvMode::replace;
+/// Quantities that are interpolated for a shaded fragment: the varyings, and q where it divides any.
+inline std::uint64_t quantities_a_fragment(const VaryingLayout& layout) {
+  return static_cast<std::uint64_t>(layout.count + (layout.count > layout.affine_count ? 1 : 0));
 }
 
 /// Mip levels of every fragment of the batch for `unit`, by the level of detail of `group_count` groups of
@@ -50,13 +38,13 @@ void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatch
 
 /// Primary and secondary colours as texturing finds them: what illumination wrote, the flat colour, or the
 /// interpolated one; clamped to [0, 1] when the state says so.
-void start_colors(FragmentBatch& batch);
+void start_colors(const KernelKey& key, FragmentBatch& batch);
 
 /// Secondary colour, fog, alpha test, blending and stores: from the batch's colours to the surface.
-void write_fragments(FragmentBatch& batch, TileSurface& surface);
+void write_fragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface);
 
-/// Sets every pixel of the tile.
-void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth);
+/// Sets every pixel of the tile; the colour is four floats of any size.
+void clear_tile(TileSurface& tile, const float* color, float depth);
 
 /// Finished pixels of a tile, rows of kTileWidth, window row 0 of the tile first.
 struct TilePixels {

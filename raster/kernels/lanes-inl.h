@@ -11,6 +11,8 @@
 
 #include <cstdint>
 
+#include "raster/fragments/primitive.h"
+
 #ifndef BARRIDO_LANE_NUMBERS
 #define BARRIDO_LANE_NUMBERS
 namespace barrido {
@@ -71,7 +73,18 @@ HWY_INLINE hn::Mask<D> lanes_below(D d, int n) {
   return hn::RebindMask(d, hn::Lt(hn::Load(di, LaneNumberTable<std::int32_t>::kNumbers), hn::Set(di, n)));
 }
 
+/// See raster::first_centre_at.
+template <class V>
+HWY_INLINE V first_centres_at(V coordinate) {
+  const hn::DFromV<V> di;
+  return hn::ShiftRight<raster::kSubpixelBits>(hn::Add(coordinate, hn::Set(di, raster::kToFirstCentre)));
+}
+
 }  // namespace barrido::HWY_NAMESPACE
+
+namespace barrido::raster::HWY_NAMESPACE {
+using namespace barrido::HWY_NAMESPACE;  // here and in simd_math-inl.h: kernels use these everywhere
+}
 HWY_AFTER_NAMESPACE();
 
 #endif

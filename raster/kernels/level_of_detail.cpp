@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "raster/kernels/levels-inl.h"
-#include "raster/kernels/simd_math-inl.h"
+#include "raster/kernels/planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
@@ -33,7 +33,7 @@ HWY_INLINE V half_log2_of_footprint(V ux, V vx, V uy, V vy) {
   const auto limit = hn::Set(d, kLargestFootprint);
   const auto larger = hn::IfThenElse(hn::Gt(a, b), a, b);
   const auto bounded = hn::IfThenElse(hn::Lt(larger, limit), larger, limit);  // a NaN becomes the limit
-  return hn::Mul(hn::Set(d, 0.5f), barrido::HWY_NAMESPACE::Log2(d, bounded));
+  return hn::Mul(hn::Set(d, 0.5f), Log2(d, bounded));
 }
 
 /// λ of a two-dimensional texture; Q is what S and T are divided by.
@@ -85,7 +85,7 @@ HWY_INLINE V lod_cube(const Differential<V>& s, const Differential<V>& t, const 
 
 /// λ of the groups from g on.
 HWY_INLINE hn::Vec<hn::ScalableTag<float>> lod_of_groups(const LodGroups& groups, const FragmentState& state,
-                                                         std::size_t unit, int g) {
+                                                         int unit, int g) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   const auto quantity = [&](int i) HWY_ATTR {
@@ -109,8 +109,7 @@ HWY_INLINE hn::Vec<hn::ScalableTag<float>> lod_of_groups(const LodGroups& groups
     return lod_2d(s, t, Differential<V>{zero, zero, zero}, one, width, height);
   }
   const auto q = quantity(2);
-  const auto w = hn::Div(one, barrido::HWY_NAMESPACE::maximum(q.value, hn::Set(d, kSmallestQ)));
-  return lod_2d(s, t, q, w, width, height);
+  return lod_2d(s, t, q, inverse_q(q.value), width, height);
 }
 
 /// Gives each of `count` pixels from column x on the number of its group of four; up to three more are
@@ -128,18 +127,17 @@ void FindLevels(const LodGroups& groups, int group_count, int unit_number, const
   const F d;
   const I di;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto u = static_cast<std::size_t>(unit_number);
-  const TextureUnit& unit = batch.state->texture_units[u];
-  const LevelChoice choice = level_choice(unit);
+  const TextureUnit& unit = batch.state->texture_units[unit_number];
+  const UnitFilters filters = unit_filters(unit);
   if (!needs_lod(unit)) {
-    const auto all = hn::Set(di, level_zero(choice.min_linear));
+    const auto all = hn::Set(di, level_zero(filters.min_linear));
     for (int i = 0; i < batch.count; i += lanes) hn::Store(all, di, levels.packed + i);
     return;
   }
   alignas(64) std::int32_t of_group[kBatchStride];
   for (int g = 0; g < group_count; g += lanes) {
-    const auto lod = hn::Add(lod_of_groups(groups, *batch.state, u, g), hn::Set(d, unit.lod_bias));
-    hn::Store(choose_levels(lod, choice, unit.texture->level_count() - 1), di, of_group + g);
+    const auto lod = hn::Add(lod_of_groups(groups, *batch.state, unit_number, g), hn::Set(d, unit.lod_bias));
+    hn::Store(choose_levels(lod, filters, unit.texture->level_count() - 1), di, of_group + g);
   }
   int g = 0;
   for (int r = 0; r < batch.run_count; ++r) {

@@ -24,7 +24,7 @@ using VF = hn::Vec<F>;
 using VI = hn::Vec<I>;
 
 /// How the two filters choose levels for a unit.
-struct LevelChoice {
+struct UnitFilters {
   float magnification_limit;  ///< λ up to which the magnification filter is used.
   bool min_linear;            ///< Four texels when minifying.
   bool mag_linear;
@@ -32,18 +32,18 @@ struct LevelChoice {
   bool mip_linear;   ///< *_mipmap_linear
 };
 
-inline LevelChoice level_choice(const TextureUnit& unit) {
+inline UnitFilters unit_filters(const TextureUnit& unit) {
   const MinFilter f = unit.min_filter;
-  LevelChoice choice{};
-  choice.min_linear =
+  UnitFilters filters{};
+  filters.min_linear =
       f == MinFilter::linear || f == MinFilter::linear_mipmap_nearest || f == MinFilter::linear_mipmap_linear;
-  choice.mag_linear = unit.mag_filter == MagFilter::linear;
-  choice.mip_nearest = f == MinFilter::nearest_mipmap_nearest || f == MinFilter::linear_mipmap_nearest;
-  choice.mip_linear = f == MinFilter::nearest_mipmap_linear || f == MinFilter::linear_mipmap_linear;
+  filters.mag_linear = unit.mag_filter == MagFilter::linear;
+  filters.mip_nearest = f == MinFilter::nearest_mipmap_nearest || f == MinFilter::linear_mipmap_nearest;
+  filters.mip_linear = f == MinFilter::nearest_mipmap_linear || f == MinFilter::linear_mipmap_linear;
   const bool half =
-      choice.mag_linear && (f == MinFilter::nearest_mipmap_nearest || f == MinFilter::nearest_mipmap_linear);
-  choice.magnification_limit = half ? 0.5f : 0.0f;
-  return choice;
+      filters.mag_linear && (f == MinFilter::nearest_mipmap_nearest || f == MinFilter::nearest_mipmap_linear);
+  filters.magnification_limit = half ? 0.5f : 0.0f;
+  return filters;
 }
 
 /// A vector of packed levels (raster/fragments/fragment_batch.h, SampleLevels).
@@ -58,32 +58,29 @@ HWY_INLINE VI pack_levels(VI lower, VI upper, VI weight, hn::Mask<I> linear) {
 }
 
 /// Levels for λ, the bias added already.
-HWY_INLINE VI choose_levels(VF lod, const LevelChoice& choice, int last_level) {
+HWY_INLINE VI choose_levels(VF lod, const UnitFilters& filters, int last_level) {
   const F d;
   const I di;
   const auto zero = hn::Zero(di);
-  const auto magnified_f = hn::Le(lod, hn::Set(d, choice.magnification_limit));
+  const auto magnified_f = hn::Le(lod, hn::Set(d, filters.magnification_limit));
   const auto magnified = hn::RebindMask(di, magnified_f);
   const auto flag = [&](bool on) HWY_ATTR { return hn::MaskFromVec(hn::Set(di, on ? -1 : 0)); };
   const auto linear =
-      hn::Or(hn::And(magnified, flag(choice.mag_linear)), hn::AndNot(magnified, flag(choice.min_linear)));
-  if (!choice.mip_nearest && !choice.mip_linear) return pack_levels(zero, zero, zero, linear);
+      hn::Or(hn::And(magnified, flag(filters.mag_linear)), hn::AndNot(magnified, flag(filters.min_linear)));
+  if (!filters.mip_nearest && !filters.mip_linear) return pack_levels(zero, zero, zero, linear);
   const auto last = hn::Set(d, static_cast<float>(last_level));
-  const auto bounded = barrido::HWY_NAMESPACE::minimum(
-      barrido::HWY_NAMESPACE::maximum(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
-  if (choice.mip_nearest) {
+  const auto bounded = minimum(maximum(lod, hn::Set(d, -64.0f)), hn::Set(d, 64.0f));
+  if (filters.mip_nearest) {
     const auto level = hn::Sub(hn::Ceil(hn::Add(bounded, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
-    const auto whole = barrido::HWY_NAMESPACE::whole_to_integer(
-        d, barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(level, hn::Zero(d)), last));
+    const auto whole = whole_to_integer(d, minimum(maximum(level, hn::Zero(d)), last));
     const auto lower = hn::IfThenZeroElse(magnified, whole);
     return pack_levels(lower, lower, zero, linear);
   }
-  const auto lambda =
-      barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(bounded, hn::Zero(d)), last);
+  const auto lambda = minimum(maximum(bounded, hn::Zero(d)), last);
   const auto below = hn::Floor(lambda);
   const auto part = hn::Floor(hn::Mul(hn::Sub(lambda, below), hn::Set(d, 256.0f)));
-  const auto lower = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, below));
-  const auto weight = hn::IfThenZeroElse(magnified, barrido::HWY_NAMESPACE::whole_to_integer(d, part));
+  const auto lower = hn::IfThenZeroElse(magnified, whole_to_integer(d, below));
+  const auto weight = hn::IfThenZeroElse(magnified, whole_to_integer(d, part));
   const auto next = hn::Min(hn::Add(lower, hn::Set(di, 1)), hn::Set(di, last_level));
   return pack_levels(lower, hn::IfThenElse(hn::Gt(weight, zero), next, lower), weight, linear);
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "raster/kernels/simd_math-inl.h"
 #include "raster/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,6 +33,15 @@ struct Planes {
   alignas(64) float slope_x[kMaxQuantities];
   alignas(64) float slope_y[kMaxQuantities];
 };
+
+/// The perspective division: 1/q, by which varyings that stand divided by w are multiplied, for pixels in
+/// vectors and for one. q is bounded below (docs/arithmetic.md, "What: planes").
+template <class V>
+HWY_INLINE V inverse_q(V q) {
+  const hn::DFromV<V> d;
+  return hn::Div(hn::Set(d, 1.0f), maximum(q, hn::Set(d, kSmallestQ)));
+}
+inline float inverse_q(float q) { return 1.0f / (q > kSmallestQ ? q : kSmallestQ); }
 
 /// The inverse of the triangle's edge matrix: ddx = e1·a + e2·b with the differences e1, e2 of a quantity.
 struct TriangleFrame {

@@ -19,7 +19,7 @@ HWY_INLINE V exposed(V c, float scale) { return hn::Mul(c, hn::Set(F(), scale));
 /// In [0, 1].
 HWY_INLINE V tone_mapped(V c, ToneMap map) {
   if (map == ToneMap::reinhard) {
-    c = barrido::HWY_NAMESPACE::maximum(c, hn::Zero(F()));
+    c = maximum(c, hn::Zero(F()));
     c = hn::Div(c, hn::Add(one(), c));
   }
   return clamp01(c);
@@ -28,7 +28,7 @@ HWY_INLINE V tone_mapped(V c, ToneMap map) {
 /// The transfer function of IEC 61966-2-1.
 HWY_INLINE V srgb_encoded(V c) {
   const F d;
-  const V power = barrido::HWY_NAMESPACE::Pow(d, c, 1.0f / 2.4f);
+  const V power = Pow(d, c, 1.0f / 2.4f);
   const V curve = hn::Sub(hn::Mul(hn::Set(d, 1.055f), power), hn::Set(d, 0.055f));
   return hn::IfThenElse(hn::Le(c, hn::Set(d, 0.0031308f)), hn::Mul(c, hn::Set(d, 12.92f)), curve);
 }

@@ -33,6 +33,13 @@ HWY_INLINE V maximum(V a, V b) {
 #endif
 }
 
+/// A NaN gives 0.
+template <class V>
+HWY_INLINE V clamp01(V v) {
+  const hn::DFromV<V> d;
+  return minimum(maximum(v, hn::Zero(d)), hn::Set(d, 1.0f));
+}
+
 /// See portable_log2.
 template <class D, class V>
 HWY_INLINE V Log2(D d, V x) {
@@ -80,6 +87,10 @@ HWY_INLINE V Pow(D d, V x, float n) {
 }
 
 }  // namespace barrido::HWY_NAMESPACE
+
+namespace barrido::raster::HWY_NAMESPACE {
+using namespace barrido::HWY_NAMESPACE;
+}
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,5 +1,5 @@
-// From spans to pixels: sets up a primitive's planes, tests depth, and sends each run of pixels on its route:
-// whole batches of fragments to shade_batch, simple colours straight to the surface.
+// From spans to pixels: sets up a primitive's planes, tests depth, and sends each run of pixels on the way
+// that the key names: whole batches of fragments to shade_batch, simple colours straight to the surface.
 #if defined(BARRIDO_SPAN_SHADER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BARRIDO_SPAN_SHADER_INL_H
 #undef BARRIDO_SPAN_SHADER_INL_H
@@ -48,24 +48,14 @@ class SpanShader {
  public:
   SpanShader(TileWorkspace& workspace, const TileArea& tile) : workspace_(workspace), tile_(tile) {}
 
-  void begin_chunk(const PrimitiveChunk& chunk) {
-    const FragmentState& state = *chunk.state;
-    chunk_ = &chunk;
-    route_ = route_of(state, workspace_.surface.format);
-    writes_depth_now_ = state.depth.write && !state.alpha_test.enabled;
-    const bool divides = state.varyings.count > state.varyings.affine_count;
-    interpolations_ = static_cast<std::uint64_t>(state.varyings.count + (divides ? 1 : 0));
-    if (route_ == Route::smooth_blend_constant) blend_constant_ = BlendConstant(state.blend);
-    color_is_replaced_ = color_is_replaced(state);
-    has_flat_colors_ = state.illumination.function == nullptr &&
-                       ((state.varyings.color == kAbsent && !color_is_replaced_) ||
-                        (state.varyings.specular == kAbsent && state.separate_specular));
-    lod_units_ = 0;
-    for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-      const bool needed =
-          is_active(state, unit) && needs_lod(state.texture_units[static_cast<std::size_t>(unit)]);
-      lod_units_ |= static_cast<unsigned>(needed) << unit;
-    }
+  void begin_chunk(const BinnedChunk& binned) {
+    chunk_ = &binned.chunk();
+    key_ = &binned.key();
+    const FragmentState& state = *chunk_->state;
+    any_depth_ = AnyDepth(state.depth, *key_);
+    if (key_->blending == Blending::constant) blend_constant_ = BlendConstant(state.blend);
+    color_ = kRecordVaryings + state.varyings.color;
+    interpolations_ = quantities_a_fragment(state.varyings);
   }
 
   /// The batch holds fragments of one state and one facing.
@@ -74,6 +64,7 @@ class SpanShader {
     const bool back_facing = (p.flat_and_facing & kBackFacing) != 0;
     if (batch.count > 0 && (batch.state != chunk_->state || batch.back_facing != back_facing)) flush();
     batch.state = chunk_->state;
+    workspace_.key = key_;
     batch.back_facing = back_facing;
     primitive_ = &p;
     is_set_up_ = false;
@@ -89,30 +80,28 @@ class SpanShader {
 
   /// Columns [begin, end) of the span, all of them seen.
   void shade(int row, int begin, int end) {
-    if (route_ == Route::batch) return append(row, begin, end);
+    if (key_->colors == ColorWay::batch) return append(row, begin, end);
     const hn::ScalableTag<float> d;
-    count_shaded(static_cast<std::uint64_t>(end - begin));
+    count_shaded(Loop::spans, end - begin);
     with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       const int lanes = static_cast<int>(hn::Lanes(d));
       for (int x = first_vector(begin, end, lanes); x < end; x += lanes) {
-        pixels(to, x, columns_mask(d, x, begin, end),
-               barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - span_.anchor)));
+        pixels(to, x, columns_mask(d, x, begin, end), lanes_from(d, static_cast<float>(x - span_.anchor)));
       }
     });
   }
 
   /// Those of columns [begin, end) that pass the depth test.
   void shade_passing(int row, int begin, int end) {
-    const DepthState& state = chunk_->state->depth;
-    if (!state.test) return shade(row, begin, end);
-    if (route_ == Route::batch) return append_passing(row, begin, end);
+    if (key_->depth == DepthTest::off) return shade(row, begin, end);
+    if (key_->colors == ColorWay::batch) return append_passing(row, begin, end);
     const hn::ScalableTag<float> d;
     std::size_t passed = 0;
     with_pixels(begin, end, [&](const auto& pixels) HWY_ATTR {
       const Pixels to = row_pixels(row);
       test_depth(
-          state, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
+          *key_, any_depth_, workspace_.surface.depth + row * kTileWidth, span_depth(),
           first_vector(begin, end, static_cast<int>(hn::Lanes(d))), begin,
           end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
             const std::size_t here = hn::CountTrue(d, mask);
@@ -121,11 +110,10 @@ class SpanShader {
             pixels(to, x, mask, column);
           });
     });
-    count_shaded(passed);
+    count_shaded(Loop::spans, passed);
   }
 
-  /// Whether small triangles may be drawn in blocks.
-  bool takes_blocks() const { return route_ == Route::flat || route_ == Route::smooth; }
+  const AnyDepth& any_depth() const { return any_depth_; }
 
   /// All of a small triangle at once, its depth test included.
   void shade_blocks(TriangleBlocks& blocks, const TriangleSpans& spans) { blocks.draw(spans, block_paint()); }
@@ -134,19 +122,10 @@ class SpanShader {
     const TriangleBlocks::Counts counts = blocks.counts();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(counts.shaded);
+    count_shaded(Loop::blocks, counts.shaded);
   }
 
-  /// Whether tiny triangles may be drawn pixel by pixel, unless the scissor cuts them.
-  bool takes_tiny() const {
-    const FragmentState& state = *chunk_->state;
-    return takes_blocks() && state.depth.test && state.depth.write && state.depth.compare == Compare::less &&
-           !state.polygon_offset.enabled && record_stride(state.varyings.count) == kTinyQuantities;
-  }
-  TinyPaint tiny_paint() const {
-    const VaryingLayout& layout = chunk_->state->varyings;
-    return {route_ == Route::flat, kRecordVaryings + layout.color, layout.color >= layout.affine_count};
-  }
+  TinyPaint tiny_paint() const { return {key_->colors == ColorWay::flat, color_, key_->divides_color}; }
 
   /// Takes a tiny triangle of the coverage for a later draw_tiny().
   HWY_INLINE void add_tiny(TinyTriangles& tiny, const TinyCoverage& coverage, std::size_t i) {
@@ -155,7 +134,7 @@ class SpanShader {
       return chunk_->record(primitive_->vertex[vertex], kTinyQuantities);
     };
     tiny.add(coverage, i, record(0), record(1), record(2),
-             route_ == Route::flat ? find_flat_color() : nullptr);
+             key_->colors == ColorWay::flat ? find_flat_color() : nullptr);
     if (tiny.is_full()) draw_tiny(tiny);
   }
 
@@ -164,7 +143,7 @@ class SpanShader {
     const TinyTriangles::Counts counts = tiny.draw();
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(counts.shaded);
+    count_shaded(Loop::lists, counts.shaded);
   }
 
   void flush() {
@@ -174,18 +153,15 @@ class SpanShader {
  private:
   BlockPaint block_paint() {
     if (!is_set_up_) set_up();
-    const VaryingLayout& layout = chunk_->state->varyings;
-    const int stride = record_stride(layout.count);
+    const int stride = record_stride(chunk_->state->varyings.count);
     const float* r0 = chunk_->record(primitive_->vertex[0], stride);
     const float* r1 = chunk_->record(primitive_->vertex[1], stride);
     const float* r2 = chunk_->record(primitive_->vertex[2], stride);
     const bool plain_depth = !chunk_->state->polygon_offset.enabled && has_plain_depth(r0, r1, r2);
-    if (route_ == Route::flat) return {planes_, find_flat_color(), 0, false, plain_depth};
-    const int color = kRecordVaryings + layout.color;
-    const bool is_divided = divides(layout, span_);
+    if (key_->colors == ColorWay::flat) return {planes_, find_flat_color(), 0, false, plain_depth};
     const bool is_plain =
-        plain_depth && (is_divided || span_.constant_q) && has_plain_colors(r0, r1, r2, color);
-    return {planes_, nullptr, color, is_divided, is_plain};
+        plain_depth && (divides() || span_.constant_q) && has_plain_colors(r0, r1, r2, color_);
+    return {planes_, nullptr, color_, divides(), is_plain};
   }
 
   SpanDepth span_depth() const {
@@ -195,44 +171,39 @@ class SpanShader {
     return reinterpret_cast<Pixels>(workspace_.surface.color8 + row * kTileWidth);
   }
 
+  /// Whether the colours of the primitive are divided by q.
+  bool divides() const { return key_->divides_color && !span_.constant_q; }
+
   /// Counted where no batch does it.
-  void count_shaded(std::uint64_t fragments) {
-    workspace_.statistics.fragments_shaded += fragments;
+  void count_shaded(Loop loop, std::uint64_t fragments) {
+    workspace_.statistics.shaded_in[static_cast<std::size_t>(loop)] += fragments;
     workspace_.statistics.interpolations += fragments * interpolations_;
   }
 
   /// Calls draw(pixels) with what makes the colours of the span's columns [begin, end).
   template <class Draw>
   HWY_INLINE void with_pixels(int begin, int end, Draw&& draw) {
-    const FragmentState& state = *chunk_->state;
-    switch (route_) {
-      case Route::flat:
-        return draw(FlatPixels(find_flat_color()));
-      case Route::smooth_blend_constant:
-        return with_smooth_pixels(begin, end, blend_constant_, draw);
-      case Route::smooth_blend_source_alpha:
-        return with_smooth_pixels(begin, end, BlendSourceAlpha(state.blend), draw);
-      case Route::smooth:
-      case Route::batch:
-        break;
+    if (key_->colors == ColorWay::flat) return draw(FlatPixels(find_flat_color()));
+    const BlendState& blend = chunk_->state->blend;
+    if (key_->blending == Blending::constant) return with_smooth_pixels(begin, end, blend_constant_, draw);
+    if (key_->blending == Blending::source_alpha) {
+      return with_smooth_pixels(begin, end, BlendSourceAlpha(blend), draw);
     }
-    with_smooth_pixels(begin, end, Replace(state.blend), draw);
+    with_smooth_pixels(begin, end, Replace(blend), draw);
   }
 
   template <class Blend, class Draw>
   HWY_INLINE void with_smooth_pixels(int begin, int end, const Blend& blend, Draw&& draw) {
-    const VaryingLayout& layout = chunk_->state->varyings;
-    const int color = kRecordVaryings + layout.color;
-    if (divides(layout, span_) || !colors_are_unit(span_, color, begin, end)) {
-      draw(SmoothPixels<Blend, false, false>(layout, span_, blend));
-    } else if (Blend::kReads && planes_.slope_x[color + 3] == 0.0f) {
-      draw(SmoothPixels<Blend, true, true>(layout, span_, blend));
+    if (divides() || !colors_are_unit(span_, color_, begin, end)) {
+      draw(SmoothPixels<Blend, false, false>(span_, color_, divides(), blend));
+    } else if (Blend::kReads && planes_.slope_x[color_ + 3] == 0.0f) {
+      draw(SmoothPixels<Blend, true, true>(span_, color_, false, blend));
     } else {
-      draw(SmoothPixels<Blend, true, false>(layout, span_, blend));
+      draw(SmoothPixels<Blend, true, false>(span_, color_, false, blend));
     }
   }
 
-  /// The primitive's colour on Route::flat.
+  /// The primitive's colour on ColorWay::flat.
   const float* find_flat_color() {
     flat_color(*chunk_->state, flat_colors(*chunk_, *primitive_), flat_color_);
     return flat_color_;
@@ -271,8 +242,8 @@ class SpanShader {
     int vectors = 0;
     bool all = true;
     test_depth(
-        chunk_->state->depth, writes_depth_now_, workspace_.surface.depth + row * kTileWidth, span_depth(),
-        x_begin, x_begin, x_end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
+        *key_, any_depth_, workspace_.surface.depth + row * kTileWidth, span_depth(), x_begin, x_begin,
+        x_end, [&](int x, auto mask, auto column) HWY_ATTR __attribute__((always_inline)) {
           const std::uint32_t bits = mask_bits(d, mask);
           passed[vectors++] = bits;
           all = all && bits == (1u << std::min(x_end - x, lanes)) - 1;
@@ -319,13 +290,13 @@ class SpanShader {
   /// The same for columns whose varyings are in the batch already, which has room for them.
   void append_interpolated(int row, int begin, int end) {
     FragmentBatch& batch = workspace_.batch;
-    const FragmentState& state = *batch.state;
     const int at = batch.count;
     const int count = end - begin;
-    if (state.alpha_test.enabled) interpolate_depth(span_, begin, count, batch, at);
-    if (lod_units_ != 0) append_lod(begin, count);
-    if (has_flat_colors_)
-      fill_flat(flat_colors(*chunk_, *primitive_), state, color_is_replaced_, count, batch, at);
+    if (key_->late_depth) interpolate_depth(span_, begin, count, batch, at);
+    if (key_->lod_units != 0) append_lod(begin, count);
+    if (key_->fills_primary || key_->fills_secondary) {
+      fill_flat(flat_colors(*chunk_, *primitive_), *key_, batch.state->clamp_colors, count, batch, at);
+    }
     batch.runs[batch.run_count++] = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(row),
                                      static_cast<std::int16_t>(at), static_cast<std::int16_t>(at + count)};
     batch.count = at + count;
@@ -333,7 +304,7 @@ class SpanShader {
   }
 
   void append_lod(int begin, int count) {
-    for (unsigned units = lod_units_; units != 0; units &= units - 1) {
+    for (unsigned units = key_->lod_units; units != 0; units &= units - 1) {
       const int unit = __builtin_ctz(units);
       append_lod_groups(span_, *chunk_->state, unit, begin, count, workspace_.lod_groups[unit],
                         workspace_.lod_group_count);
@@ -344,14 +315,12 @@ class SpanShader {
   TileWorkspace& workspace_;
   const TileArea tile_;
   const PrimitiveChunk* chunk_ = nullptr;
+  const KernelKey* key_ = nullptr;
   const PrimitiveRecord* primitive_ = nullptr;
-  Route route_ = Route::batch;
-  bool writes_depth_now_ = true;
   bool is_set_up_ = false;
-  bool color_is_replaced_ = false;
-  bool has_flat_colors_ = false;  ///< Colours that are the same for a whole primitive.
-  unsigned lod_units_ = 0;  ///< Bit u: texture unit u is on and its filters ask for the level of detail.
+  int color_ = 0;                     ///< First of the primary colour's quantities.
   std::uint64_t interpolations_ = 0;  ///< Quantities a shaded fragment.
+  AnyDepth any_depth_{DepthState{}, KernelKey{}};
   float flat_color_[4];
   BlendConstant blend_constant_{BlendState{}};
   InterpolatedSpan span_;

@@ -70,8 +70,8 @@ struct Edge {
 inline Edge make_edge(const SortedCorners& c, int lower, int upper, const TileArea& tile) {
   const double dx = static_cast<double>(c.x[upper]) - c.x[lower];
   const double dy = static_cast<double>(c.y[upper]) - c.y[lower];
-  const double x = c.x[lower] - (tile.x * kSubpixelUnits + kSubpixelUnits / 2);
-  const double y = c.y[lower] - (tile.y * kSubpixelUnits + kSubpixelUnits / 2);
+  const double x = c.x[lower] - centre_of(tile.x);
+  const double y = c.y[lower] - centre_of(tile.y);
   return {(x * dy - y * dx) - 0.5, kSubpixelUnits * dx, 1.0 / (kSubpixelUnits * dy)};
 }
 
@@ -89,13 +89,13 @@ HWY_INLINE void find_spans(const PrimitiveRecord& p, const TileArea& tile, Trian
   const auto width = hn::Set(di, tile.width);
   for (int r = spans.row_begin; r < spans.row_end; r += static_cast<int>(hn::Lanes(d))) {
     // No row past the last: there the edges may cross anywhere.
-    const auto row = hn::Min(barrido::HWY_NAMESPACE::lanes_from(d, static_cast<double>(r)), last_row);
+    const auto row = hn::Min(lanes_from(d, static_cast<double>(r)), last_row);
     const auto is_lower = hn::Lt(row, middle_row);
     const auto pick = [&](double lower, double upper)
                           HWY_ATTR { return hn::IfThenElse(is_lower, hn::Set(d, lower), hn::Set(d, upper)); };
     const auto first_after = [&](auto start, auto step, auto inverse) HWY_ATTR {
       const auto crossing = hn::Mul(hn::Add(start, hn::Mul(row, step)), inverse);
-      return barrido::HWY_NAMESPACE::ceiling_to_integer(d, crossing);
+      return ceiling_to_integer(d, crossing);
     };
     const auto a =
         first_after(hn::Set(d, edge_long.start), hn::Set(d, edge_long.step), hn::Set(d, edge_long.inverse));
@@ -176,16 +176,14 @@ void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile
   const int minor_size = x_major ? tile.height : tile.width;
 
   // Centres in [a, b) going up, in (b, a] going down: half-open at the second end.
-  const auto at_or_after = [](std::int64_t v) { return (v + kSubpixelUnits / 2 - 1) >> kSubpixelBits; };
-  const auto after = [](std::int64_t v) { return (v + kSubpixelUnits / 2) >> kSubpixelBits; };
   const bool up = d_major > 0;
-  const std::int64_t begin = std::max<std::int64_t>(up ? at_or_after(major_a) : after(major_b), major_origin);
-  const std::int64_t end =
-      std::min<std::int64_t>(up ? at_or_after(major_b) : after(major_a), major_origin + major_size);
+  const std::int64_t low = first_centre_at(up ? major_a : major_b + 1);
+  const std::int64_t high = first_centre_at(up ? major_b : major_a + 1);
+  const std::int64_t begin = std::max<std::int64_t>(low, major_origin);
+  const std::int64_t end = std::min<std::int64_t>(high, major_origin + major_size);
   for (std::int64_t k = 0; k < end - begin; ++k) {
     const std::int64_t pixel = up ? begin + k : end - 1 - k;
-    const std::int64_t center = pixel * kSubpixelUnits + kSubpixelUnits / 2;
-    const std::int64_t numerator = minor_a * d_major + (center - major_a) * d_minor;
+    const std::int64_t numerator = minor_a * d_major + (centre_of(pixel) - major_a) * d_minor;
     const int major = static_cast<int>(pixel) - major_origin;
     const int lowest = static_cast<int>(floor_div(numerator, d_major * kSubpixelUnits)) - minor_origin;
     for (int minor = std::max(lowest, 0); minor < std::min(lowest + width, minor_size); ++minor) {

@@ -18,7 +18,7 @@ class TextureSampler {
  public:
   TextureSampler(const FragmentBatch& batch, int unit, const SampleLevels& levels)
       : batch_(batch),
-        number_(static_cast<std::size_t>(unit)),
+        number_(unit),
         texture_(*batch.state->texture_units[number_].texture),
         levels_(levels) {}
 
@@ -55,8 +55,8 @@ class TextureSampler {
     auto any = hn::Zero(di);
     auto texels = hn::Zero(di);
     for (int i = 0; i < batch_.count; i += lanes) {
-      const auto packed = hn::IfThenElseZero(barrido::HWY_NAMESPACE::lanes_below(di, batch_.count - i),
-                                             hn::Load(di, levels_.packed + i));
+      const auto packed =
+          hn::IfThenElseZero(lanes_below(di, batch_.count - i), hn::Load(di, levels_.packed + i));
       any = hn::Or(any, packed);
       texels = hn::Add(texels, hn::ShiftRight<kTexelCountShift>(packed));
     }
@@ -100,7 +100,7 @@ class TextureSampler {
   }
 
   const FragmentBatch& batch_;
-  const std::size_t number_;
+  const int number_;
   const Texture& texture_;
   const SampleLevels& levels_;
   bool any_linear_ = false;

@@ -100,7 +100,7 @@ HWY_INLINE VF wrap(VF u, Wrap mode) {
     case Wrap::clamp:
       break;
   }
-  return barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(u, hn::Zero(d)), hn::Set(d, 1.0f));
+  return clamp01(u);
 }
 
 HWY_INLINE Coordinates coordinates_2d(VF s, VF t, const TextureOptions& options) {
@@ -130,8 +130,7 @@ HWY_INLINE Coordinates coordinates_cube(VF x, VF y, VF z) {
   const auto valid = hn::Gt(hn::Abs(ma), hn::Zero(d));
   const auto to_unit = [&](VF c) HWY_ATTR {
     const auto u = hn::Mul(hn::Add(hn::Mul(c, w), one), half);
-    return barrido::HWY_NAMESPACE::minimum(
-        barrido::HWY_NAMESPACE::maximum(hn::IfThenElse(valid, u, half), hn::Zero(d)), one);
+    return clamp01(hn::IfThenElse(valid, u, half));
   };
   const auto axis = hn::IfThenElse(hn::RebindMask(di, is_x), hn::Zero(di),
                                    hn::IfThenElse(hn::RebindMask(di, is_y), hn::Set(di, 2), hn::Set(di, 4)));
@@ -152,12 +151,10 @@ HWY_INLINE VI nearest_texel(VF u, VF scale, bool border) {
   const F d;
   const I di;
   const auto size = hn::Mul(scale, hn::Set(d, 1.0f / 256.0f));
-  const auto last = hn::Sub(barrido::HWY_NAMESPACE::whole_to_integer(d, size), hn::Set(di, border ? 0 : 1));
+  const auto last = hn::Sub(whole_to_integer(d, size), hn::Set(di, border ? 0 : 1));
   auto scaled = hn::Mul(u, size);
-  if (border)
-    scaled =
-        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(scaled, hn::Set(d, -1.0f)), size);
-  return hn::ShiftLeft<8>(hn::Min(barrido::HWY_NAMESPACE::floor_to_integer(scaled), last));
+  if (border) scaled = minimum(maximum(scaled, hn::Set(d, -1.0f)), size);
+  return hn::ShiftLeft<8>(hn::Min(floor_to_integer(scaled), last));
 }
 
 /// Lower texel along one axis, in 24.8 fixed point.
@@ -165,10 +162,8 @@ HWY_INLINE VI linear_texel(VF u, VF scale, bool border) {
   const F d;
   // Half a texel, less half a step of 1/256: the floor below rounds to the nearest step.
   auto fixed = hn::Sub(hn::Mul(u, scale), hn::Set(d, 127.5f));
-  if (border)
-    fixed =
-        barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(fixed, hn::Set(d, -256.0f)), scale);
-  return barrido::HWY_NAMESPACE::floor_to_integer(fixed);
+  if (border) fixed = minimum(maximum(fixed, hn::Set(d, -256.0f)), scale);
+  return floor_to_integer(fixed);
 }
 
 /// Which of the two axes have coordinates outside [0, 1].

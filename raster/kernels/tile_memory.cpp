@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/blend-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -35,9 +37,9 @@ HWY_INLINE void stream_row(const T* from, int count, T* to) {
   if (i < count) std::copy_n(from + i, count - i, to + i);
 }
 
-void ClearTile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
+void ClearTile(TileSurface& tile, const float* color, float depth) {
   if (tile.format == ColorFormat::rgba8) {
-    fill_tile(tile.color8, color8);
+    fill_tile(tile.color8, static_cast<std::uint32_t>(hn::GetLane(pack8(one_color(color)))));
   } else {
     for (int c = 0; c < 4; ++c) fill_tile(tile.color_float[c], color[c]);
   }
@@ -62,8 +64,8 @@ namespace barrido::raster {
 HWY_EXPORT(ClearTile);
 HWY_EXPORT(StoreTile);
 
-void clear_tile(TileSurface& tile, std::uint32_t color8, const float* color, float depth) {
-  HWY_DYNAMIC_DISPATCH(ClearTile)(tile, color8, color, depth);
+void clear_tile(TileSurface& tile, const float* color, float depth) {
+  HWY_DYNAMIC_DISPATCH(ClearTile)(tile, color, depth);
 }
 
 void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame) {

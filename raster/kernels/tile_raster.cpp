@@ -30,8 +30,8 @@ inline constexpr std::int64_t kWorthASecondLook = 6;
 inline constexpr std::int64_t kWorthASecondLookDirect = 256;
 
 /// Opaque triangles: what is behind a fragment that passes its tests does not matter.
-bool hides_what_is_behind(const PrimitiveChunk& chunk) {
-  return chunk.topology == Topology::triangles && is_opaque(*chunk.state);
+bool hides_what_is_behind(const BinnedChunk& binned) {
+  return binned.key().hides && binned.chunk().topology == Topology::triangles;
 }
 
 /// Calls visit(row, first, end) for each span of a primitive in the tile.
@@ -59,7 +59,7 @@ class TileRasterizer {
     const auto& chunks = *job_.chunks;
     for (std::size_t begin = 0; begin < chunks.size();) {
       std::size_t end = begin;
-      while (end < chunks.size() && hides_what_is_behind(chunks[end]->chunk())) ++end;
+      while (end < chunks.size() && hides_what_is_behind(*chunks[end])) ++end;
       if (end > begin && job_.visibility_first && overlaps(begin, end)) {
         draw_visible(begin, end);
       } else {
@@ -101,8 +101,7 @@ class TileRasterizer {
       }
       next -= numbers.size();
     }
-    const FragmentState& state = *(*job_.chunks)[begin]->chunk().state;
-    const bool direct = route_of(state, workspace_.surface.format) != Route::batch;
+    const bool direct = (*job_.chunks)[begin]->key().colors != ColorWay::batch;
     const std::int64_t least = direct ? kWorthASecondLookDirect : kWorthASecondLook;
     return 2 * covered > 3 * kTwoPixels * tile_.width * tile_.height &&
            covered > least * kTwoPixels * static_cast<std::int64_t>(triangles);
@@ -112,10 +111,11 @@ class TileRasterizer {
   void draw_in_order(const BinnedChunk& binned) {
     const PrimitiveChunk& chunk = binned.chunk();
     const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
-    shader_.begin_chunk(chunk);
-    const bool takes_blocks = chunk.topology == Topology::triangles && shader_.takes_blocks();
-    const bool takes_tiny = takes_blocks && shader_.takes_tiny() && !cuts(scissor, tile_);
-    TriangleBlocks blocks(workspace_.surface, tile_, scissor, chunk.state->depth);
+    const KernelKey& key = binned.key();
+    shader_.begin_chunk(binned);
+    const bool takes_blocks = chunk.topology == Topology::triangles && key.small != SmallTriangles::spans;
+    const bool takes_tiny = takes_blocks && key.small == SmallTriangles::lists && !cuts(scissor, tile_);
+    TriangleBlocks blocks(workspace_.surface, tile_, scissor, key, shader_.any_depth());
     TinyCoverage coverage(tile_);
     TinyTriangles tiny(workspace_.surface, tile_);
     if (takes_tiny) tiny.begin_chunk(shader_.tiny_paint());
@@ -136,7 +136,7 @@ class TileRasterizer {
       if (takes_blocks && draw_blocks(blocks, p)) continue;
       draw_spans(chunk, p, scissor);
       // A later primitive's depth test must see what the alpha test lets through.
-      if (chunk.state->alpha_test.enabled) shader_.flush();
+      if (key.late_depth) shader_.flush();
     }
     shader_.draw_tiny(tiny);
     if (takes_blocks) shader_.count_blocks(blocks);
@@ -189,7 +189,7 @@ class TileRasterizer {
       const PrimitiveChunk& chunk = binned.chunk();
       const ScissorBox scissor = scissor_in(chunk.state->scissor, tile_);
       for (const std::uint16_t number : primitives_of(binned)) {
-        pass.add(chunk, chunk.primitives[number], scissor);
+        pass.add(binned, chunk.primitives[number], scissor);
       }
     }
     if (!workspace_.primitives.empty()) {
@@ -198,7 +198,7 @@ class TileRasterizer {
     }
     workspace_.clock.switch_to(Stage::spans);
     if (workspace_.primitives.empty()) return;
-    const PrimitiveChunk* chunk = nullptr;
+    const BinnedChunk* chunk = nullptr;
     for (const TilePrimitive& primitive : workspace_.primitives) {
       if (primitive.first_run < 0) continue;
       if (primitive.chunk != chunk) shader_.begin_chunk(*primitive.chunk);
@@ -249,9 +249,8 @@ class TileRasterizer {
   void shade_visible(const TilePrimitive& primitive) {
     shader_.begin_primitive(*primitive.record);
     int started = -1;
-    for (std::int32_t i = primitive.first_run; i >= 0;
-         i = workspace_.runs[static_cast<std::size_t>(i)].next) {
-      const VisibleRun& run = workspace_.runs[static_cast<std::size_t>(i)];
+    for (std::int32_t i = primitive.first_run; i >= 0; i = workspace_.runs[i].next) {
+      const VisibleRun& run = workspace_.runs[i];
       if (run.row != started) shader_.start_span(run.row, primitive.first[run.row], primitive.end[run.row]);
       started = run.row;
       shader_.shade(run.row, run.begin, run.end);

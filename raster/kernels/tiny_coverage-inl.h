@@ -105,9 +105,7 @@ class TinyCoverage {
 
   /// See first_centre_at; relative to the tile.
   static HWY_INLINE VecI first_centre(VecI v, int origin) {
-    const I di;
-    return hn::Sub(hn::ShiftRight<kSubpixelBits>(hn::Add(v, hn::Set(di, kSubpixelUnits / 2 - 1))),
-                   hn::Set(di, origin));
+    return hn::Sub(first_centres_at(v), hn::Set(I(), origin));
   }
 
   /// The edge functions of counter-clockwise triangles' sides, at least 0 inside: the rule of

@@ -39,9 +39,6 @@ inline bool cuts(const ScissorBox& scissor, const TileArea& tile) {
          scissor.y_end < tile.height;
 }
 
-/// First pixel, in window coordinates, whose centre is at or after the coordinate (1/256 pixel).
-inline int first_centre_at(std::int32_t v) { return (v + kSubpixelUnits / 2 - 1) >> kSubpixelBits; }
-
 /// A triangle smaller than this along both axes: its edge functions fit 32 bits.
 inline constexpr std::int32_t kSmallTriangle = 40 * kSubpixelUnits;
 
@@ -81,8 +78,8 @@ enum class Cover : std::uint8_t { none, some, all };
 inline Cover cover_of(const PrimitiveRecord& p, bool clockwise, const TriangleBox& box,
                       const TileArea& tile) {
   const int corner[4] = {0, clockwise ? 2 : 1, clockwise ? 1 : 2, 0};
-  const std::int64_t x = (tile.x + box.column_begin) * kSubpixelUnits + kSubpixelUnits / 2;
-  const std::int64_t y = (tile.y + box.row_begin) * kSubpixelUnits + kSubpixelUnits / 2;
+  const std::int64_t x = centre_of(tile.x + box.column_begin);
+  const std::int64_t y = centre_of(tile.y + box.row_begin);
   const std::int64_t width = (box.column_end - box.column_begin - 1) * kSubpixelUnits;
   const std::int64_t height = (box.row_end - box.row_begin - 1) * kSubpixelUnits;
   Cover cover = Cover::all;

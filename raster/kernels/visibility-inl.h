@@ -66,12 +66,13 @@ class VisibilityPass {
   VisibilityPass(TileWorkspace& workspace, const TileArea& tile) : workspace_(workspace), tile_(tile) {}
 
   /// The triangle's spans in the tile, and what sorting needs. The order of these calls is the drawing order.
-  void add(const PrimitiveChunk& chunk, const PrimitiveRecord& p, const ScissorBox& scissor) {
+  void add(const BinnedChunk& binned, const PrimitiveRecord& p, const ScissorBox& scissor) {
+    const PrimitiveChunk& chunk = binned.chunk();
     TriangleSpans spans;
     if (!triangle_spans(p, tile_, spans)) return;
     TilePrimitive& primitive = workspace_.primitives.emplace_back();
     keep_spans(spans, primitive);
-    primitive.chunk = &chunk;
+    primitive.chunk = &binned;
     primitive.record = &p;
     primitive.row_begin = std::max(spans.row_begin, scissor.y_begin);
     primitive.row_end = std::min(spans.row_end, scissor.y_end);
@@ -88,13 +89,13 @@ class VisibilityPass {
   /// Depth and marks of all triangles added.
   void resolve() {
     const std::size_t count = workspace_.primitives.size();
-    const Compare compare = common_compare();
-    if (count > kMostSorted || (compare != Compare::less && compare != Compare::less_equal)) {
-      for (std::size_t i = 0; i < count; ++i) draw_in_order(i);
-    } else if (compare == Compare::less) {
-      draw_sorted<Compare::less>();
+    const DepthTest test = count <= kMostSorted ? common_test() : DepthTest::any;
+    if (test == DepthTest::less) {
+      draw_sorted<DepthTest::less>();
+    } else if (test == DepthTest::less_equal) {
+      draw_sorted<DepthTest::less_equal>();
     } else {
-      draw_sorted<Compare::less_equal>();
+      for (std::size_t i = 0; i < count; ++i) draw_in_order(i);
     }
   }
 
@@ -111,8 +112,7 @@ class VisibilityPass {
       const auto end = hn::Max(hn::LoadU(di, spans.end + row), first);
       hn::StoreU(hn::DemoteTo(d8, first), d8, primitive.first + row);
       hn::StoreU(hn::DemoteTo(d8, end), d8, primitive.end + row);
-      const auto length = hn::IfThenElseZero(barrido::HWY_NAMESPACE::lanes_below(di, spans.row_end - row),
-                                             hn::Sub(end, first));
+      const auto length = hn::IfThenElseZero(lanes_below(di, spans.row_end - row), hn::Sub(end, first));
       covered = hn::Add(covered, length);
       rows += hn::CountTrue(di, hn::Gt(length, hn::Zero(di)));
     }
@@ -126,12 +126,11 @@ class VisibilityPass {
     std::uint32_t primitive;
   };
 
-  /// The one function of the depth test that all triangles test and write with; `always` when there is none.
-  Compare common_compare() const {
-    const Compare first = workspace_.primitives.front().chunk->state->depth.compare;
+  /// The depth test of all triangles; `any` when there is no such test.
+  DepthTest common_test() const {
+    const DepthTest first = workspace_.primitives.front().chunk->key().depth;
     for (const TilePrimitive& primitive : workspace_.primitives) {
-      const DepthState& state = primitive.chunk->state->depth;
-      if (!state.test || !state.write || state.compare != first) return Compare::always;
+      if (primitive.chunk->key().depth != first) return DepthTest::any;
     }
     return first;
   }
@@ -152,13 +151,14 @@ class VisibilityPass {
   /// In drawing order, with each triangle's own depth test.
   void draw_in_order(std::size_t number) {
     const TilePrimitive& primitive = workspace_.primitives[number];
-    const DepthState& state = primitive.chunk->state->depth;
+    const KernelKey& key = primitive.chunk->key();
+    const AnyDepth any(primitive.chunk->chunk().state->depth, key);
     const hn::ScalableTag<std::uint32_t> du;
     for_each_row(primitive, [&](int row, int begin, int end, const SpanDepth& depth) HWY_ATTR {
       const auto mark = hn::Set(du, span_mark(number, row));
       std::uint32_t* marks = workspace_.surface.visible_span + row * kTileWidth;
       const int start = first_vector(begin, end, static_cast<int>(hn::Lanes(du)));
-      test_depth(state, state.write, workspace_.surface.depth + row * kTileWidth, depth, start, begin, end,
+      test_depth(key, any, workspace_.surface.depth + row * kTileWidth, depth, start, begin, end,
                  [&](int x, auto mask, auto)
                      HWY_ATTR { hn::BlendedStore(mark, hn::RebindMask(du, mask), du, marks + x); });
     });
@@ -177,7 +177,7 @@ class VisibilityPass {
   }
 
   /// Nearest first. Of equal depths `less` keeps the triangle drawn first, `less_equal` the one drawn last.
-  template <Compare kCompare>
+  template <DepthTest kTest>
   void draw_sorted() {
     Near order[kMostSorted];
     const std::size_t count = workspace_.primitives.size();
@@ -194,32 +194,29 @@ class VisibilityPass {
       const std::size_t number = order[i].primitive;
       for_each_row(workspace_.primitives[number],
                    [&](int row, int begin, int end, const SpanDepth& depth) HWY_ATTR {
-                     draw_row<kCompare>(covered, span_mark(number, row), row, begin, end, depth);
+                     draw_row<kTest>(covered, span_mark(number, row), row, begin, end, depth);
                    });
       far_tile = covered.far_tile(tile_.height);
     }
   }
 
-  template <Compare kCompare>
+  template <DepthTest kTest>
   HWY_INLINE void draw_row(CoveredRows& covered, std::uint32_t mark, int row, int begin, int end,
                            const SpanDepth& depth) {
-    const auto at = [&depth](int x) {
-      const float z = depth.row + depth.slope * static_cast<float>(x - depth.anchor);
-      return std::min(std::max(z, 0.0f), 1.0f);
-    };
+    const auto at = [&depth](int x) { return std::min(std::max(depth.at(x), 0.0f), 1.0f); };
     // In floating point, too, a linear function is monotonic: the ends are the extremes.
     const float a = at(begin);
     const float b = at(end - 1);
     if (std::min(a, b) > covered.far_row[row]) return;
     if (a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f) {
-      test_row<kCompare, false>(mark, row, begin, end, depth);
+      test_row<kTest, false>(mark, row, begin, end, depth);
     } else {
-      test_row<kCompare, true>(mark, row, begin, end, depth);
+      test_row<kTest, true>(mark, row, begin, end, depth);
     }
     covered.cover(row, begin, end, std::max(a, b), tile_.width);
   }
 
-  template <Compare kCompare, bool kClamp>
+  template <DepthTest kTest, bool kClamp>
   HWY_INLINE void test_row(std::uint32_t mark_value, int row, int begin, int end, const SpanDepth& depth) {
     const hn::ScalableTag<float> d;
     const hn::ScalableTag<std::uint32_t> du;
@@ -230,19 +227,16 @@ class VisibilityPass {
     const auto start = hn::Set(d, depth.row);
     const auto slope = hn::Set(d, depth.slope);
     int x = first_vector(begin, end, lanes);
-    auto column = barrido::HWY_NAMESPACE::lanes_from(d, static_cast<float>(x - depth.anchor));
+    auto column = lanes_from(d, static_cast<float>(x - depth.anchor));
     for (; x < end; x += lanes) {
       auto z = hn::Add(start, hn::Mul(slope, column));
-      if constexpr (kClamp) {
-        z = barrido::HWY_NAMESPACE::minimum(barrido::HWY_NAMESPACE::maximum(z, hn::Zero(d)),
-                                            hn::Set(d, 1.0f));
-      }
+      if constexpr (kClamp) z = clamp01(z);
       const auto stored = hn::LoadU(d, depths + x);
-      auto nearer = hn::Lt(z, stored);
+      auto nearer = is_nearer(z, stored);
       const auto equal = hn::Eq(z, stored);
       if (HWY_UNLIKELY(!hn::AllFalse(d, equal))) {
         const auto seen = hn::LoadU(du, marks + x);
-        const auto wins = kCompare == Compare::less ? hn::Lt(mark, seen) : hn::Lt(seen, mark);
+        const auto wins = kTest == DepthTest::less ? hn::Lt(mark, seen) : hn::Lt(seen, mark);
         nearer = hn::Or(nearer, hn::And(equal, hn::RebindMask(d, wins)));
       }
       const auto mask = hn::And(nearer, columns_mask(d, x, begin, end));

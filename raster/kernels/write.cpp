@@ -37,11 +37,11 @@ HWY_INLINE V fog_factor(const FogState& fog, V distance) {
       f = hn::Mul(hn::Sub(hn::Set(d, fog.end), distance), hn::Set(d, 1.0f / (fog.end - fog.start)));
       break;
     case FogMode::exp:
-      f = barrido::HWY_NAMESPACE::Exp2(d, hn::Mul(hn::Set(d, -fog.density * kLog2E), distance));
+      f = Exp2(d, hn::Mul(hn::Set(d, -fog.density * kLog2E), distance));
       break;
     case FogMode::exp2: {
       const V t = hn::Mul(hn::Set(d, fog.density), distance);
-      f = barrido::HWY_NAMESPACE::Exp2(d, hn::Mul(hn::Mul(t, t), hn::Set(d, -kLog2E)));
+      f = Exp2(d, hn::Mul(hn::Mul(t, t), hn::Set(d, -kLog2E)));
       break;
     }
   }
@@ -55,16 +55,16 @@ void apply_fog(FragmentBatch& batch) {
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V f = fog_factor(fog, hn::Abs(hn::LoadU(d, distances + i)));
     for (int c = 0; c < 3; ++c) {
-      const V fog_part = hn::Mul(hn::Sub(one(), f), hn::Set(d, fog.color[static_cast<std::size_t>(c)]));
+      const V fog_part = hn::Mul(hn::Sub(one(), f), hn::Set(d, fog.color[c]));
       hn::Store(hn::Add(hn::Mul(f, hn::Load(d, batch.color[c] + i)), fog_part), d, batch.color[c] + i);
     }
   }
 }
 
-/// The 8-bit surface: rows of packed pixels.
-struct Surface8 {
+/// ColorFormat::rgba8: rows of packed pixels.
+struct ByteColors {
   std::int32_t* pixels;
-  explicit Surface8(TileSurface& s) : pixels(reinterpret_cast<std::int32_t*>(s.color8)) {}
+  explicit ByteColors(TileSurface& s) : pixels(reinterpret_cast<std::int32_t*>(s.color8)) {}
 
   HWY_INLINE Rgba read(int at) const { return unpack8(hn::LoadU(hn::RebindToSigned<F>(), pixels + at)); }
   /// `is_unit`: the colours need no clamping.
@@ -83,10 +83,10 @@ struct Surface8 {
   static constexpr bool kClampsSource = true;
 };
 
-/// The float surface: one plane a channel.
-struct SurfaceFloat {
+/// ColorFormat::rgba32f: one plane a channel.
+struct FloatColors {
   float (*planes)[kTilePixels + kSurfacePadding];
-  explicit SurfaceFloat(TileSurface& s) : planes(s.color_float) {}
+  explicit FloatColors(TileSurface& s) : planes(s.color_float) {}
 
   HWY_INLINE Rgba read(int at) const {
     const F d;
@@ -95,99 +95,97 @@ struct SurfaceFloat {
   }
   HWY_INLINE void write(const Rgba& color, bool, M mask, const std::array<bool, 4>& channels, int at) const {
     for (int c = 0; c < 4; ++c) {
-      if (channels[static_cast<std::size_t>(c)]) hn::BlendedStore(color.c[c], mask, F(), planes[c] + at);
+      if (channels[c]) hn::BlendedStore(color.c[c], mask, F(), planes[c] + at);
     }
   }
   static constexpr bool kClampsSource = false;
 };
 
-/// Alpha test of the fragments from i on; those that pass write their depth, which was left open until now.
-HWY_INLINE M alpha_test(const FragmentBatch& batch, int i, M mask, float* depth) {
+/// The pixels whose fragments, from i on, pass the alpha test; those write their depth, which was left open
+/// until now.
+HWY_INLINE M alpha_test(const FragmentBatch& batch, const CompareRule& rule, bool late_depth, int i, M mask,
+                        float* depth) {
   const F d;
-  const FragmentState& state = *batch.state;
-  const V alpha = hn::LoadU(d, batch.color[3] + i);
-  with_compare(state.alpha_test.compare, [&]<Compare kCompare>() HWY_ATTR {
-    mask = hn::And(mask, compare<kCompare>(alpha, hn::Set(d, state.alpha_test.reference)));
-  });
-  if (state.depth.test && state.depth.write) hn::BlendedStore(hn::LoadU(d, batch.depth + i), mask, d, depth);
+  const V reference = hn::Set(d, batch.state->alpha_test.reference);
+  mask = hn::And(mask, rule(hn::LoadU(d, batch.color[3] + i), reference));
+  if (late_depth) hn::BlendedStore(hn::LoadU(d, batch.depth + i), mask, d, depth);
   return mask;
 }
 
-/// Colours clamped after the last texture unit are in [0, 1], unless fog has been mixed in since.
-bool colors_are_unit(const FragmentState& state) { return state.clamp_colors && !state.fog.enabled; }
-
-template <class Surface, class Blend>
-void store_runs(const FragmentBatch& batch, TileSurface& tile) {
+template <class Colors, class Blend>
+void store_runs(const KernelKey& key, const FragmentBatch& batch, TileSurface& tile) {
   const F d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const FragmentState& state = *batch.state;
-  const Surface surface(tile);
+  const Colors stored(tile);
   const Blend blend(state.blend);
-  const bool clamp_source = Surface::kClampsSource && !colors_are_unit(state);
+  const CompareRule alpha_rule(state.alpha_test.compare);
+  const bool clamp_source = Colors::kClampsSource && !key.unit_colors;
   const bool writes_unit = (Blend::kReads || !clamp_source) && blend.keeps_unit;
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     const int pixel = run.y * kTileWidth + run.x;
     for (int i = run.begin; i < run.end; i += lanes) {
       const int at = pixel + (i - run.begin);
-      M mask = barrido::HWY_NAMESPACE::lanes_below(d, run.end - i);
-      if (state.alpha_test.enabled) mask = alpha_test(batch, i, mask, tile.depth + at);
+      M mask = lanes_below(d, run.end - i);
+      if (state.alpha_test.enabled) {
+        mask = alpha_test(batch, alpha_rule, key.late_depth, i, mask, tile.depth + at);
+      }
       Rgba color{{hn::LoadU(d, batch.color[0] + i), hn::LoadU(d, batch.color[1] + i),
                   hn::LoadU(d, batch.color[2] + i), hn::LoadU(d, batch.color[3] + i)}};
       if constexpr (Blend::kReads) {
         if (clamp_source) {
           for (V& c : color.c) c = clamp01(c);
         }
-        color = blend(color, surface.read(at));
+        color = blend(color, stored.read(at));
       }
-      surface.write(color, writes_unit, mask, state.color_mask, at);
+      stored.write(color, writes_unit, mask, state.color_mask, at);
     }
   }
 }
 
 /// Opaque fragments on the 8-bit surface: the whole batch is packed in full vectors, then copied run by run.
-void store_opaque8(const FragmentBatch& batch, TileSurface& tile) {
+void store_opaque8(const KernelKey& key, const FragmentBatch& batch, TileSurface& tile) {
   const F d;
   const hn::RebindToSigned<F> di;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const bool is_unit = colors_are_unit(*batch.state);
   alignas(64) std::int32_t packed[kBatchStride];
   for (int i = 0; i < batch.count; i += lanes) {
     const Rgba color{{hn::Load(d, batch.color[0] + i), hn::Load(d, batch.color[1] + i),
                       hn::Load(d, batch.color[2] + i), hn::Load(d, batch.color[3] + i)}};
-    hn::Store(is_unit ? pack8_unit(color) : pack8(color), di, packed + i);
+    hn::Store(key.unit_colors ? pack8_unit(color) : pack8(color), di, packed + i);
   }
   auto* pixels = reinterpret_cast<std::int32_t*>(tile.color8);
   for (int r = 0; r < batch.run_count; ++r) {
     const FragmentRun& run = batch.runs[r];
     std::int32_t* to = pixels + run.y * kTileWidth + run.x - run.begin;
     for (int i = run.begin; i < run.end; i += lanes) {
-      hn::BlendedStore(hn::LoadU(di, packed + i), barrido::HWY_NAMESPACE::lanes_below(di, run.end - i), di,
-                       to + i);
+      hn::BlendedStore(hn::LoadU(di, packed + i), lanes_below(di, run.end - i), di, to + i);
     }
   }
 }
 
-template <class Surface>
-void store_batch(const FragmentBatch& batch, TileSurface& tile) {
-  const BlendState& blend = batch.state->blend;
-  if (!blend.enabled) return store_runs<Surface, Replace>(batch, tile);
-  if (BlendConstant::fits(blend)) return store_runs<Surface, BlendConstant>(batch, tile);
-  if (BlendSourceAlpha::fits(blend)) return store_runs<Surface, BlendSourceAlpha>(batch, tile);
-  store_runs<Surface, BlendGeneral>(batch, tile);
+template <class Colors>
+void store_batch(const KernelKey& key, const FragmentBatch& batch, TileSurface& tile) {
+  switch (key.blending) {
+    case Blending::replace:
+      return store_runs<Colors, Replace>(key, batch, tile);
+    case Blending::constant:
+      return store_runs<Colors, BlendConstant>(key, batch, tile);
+    case Blending::source_alpha:
+      return store_runs<Colors, BlendSourceAlpha>(key, batch, tile);
+    case Blending::general:
+      break;
+  }
+  store_runs<Colors, BlendGeneral>(key, batch, tile);
 }
 
-void WriteFragments(FragmentBatch& batch, TileSurface& surface) {
+void WriteFragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface) {
   if (batch.state->separate_specular) add_specular(batch);
   if (batch.state->fog.enabled) apply_fog(batch);
-  const FragmentState& state = *batch.state;
-  if (surface.format == ColorFormat::rgba8 && is_opaque(state)) {
-    store_opaque8(batch, surface);
-  } else if (surface.format == ColorFormat::rgba8) {
-    store_batch<Surface8>(batch, surface);
-  } else {
-    store_batch<SurfaceFloat>(batch, surface);
-  }
+  if (key.surface == ColorFormat::rgba32f) return store_batch<FloatColors>(key, batch, surface);
+  if (key.hides) return store_opaque8(key, batch, surface);
+  store_batch<ByteColors>(key, batch, surface);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE
@@ -198,8 +196,8 @@ namespace barrido::raster {
 
 HWY_EXPORT(WriteFragments);
 
-void write_fragments(FragmentBatch& batch, TileSurface& surface) {
-  HWY_DYNAMIC_DISPATCH(WriteFragments)(batch, surface);
+void write_fragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface) {
+  HWY_DYNAMIC_DISPATCH(WriteFragments)(key, batch, surface);
 }
 
 }  // namespace barrido::raster

@@ -8,17 +8,14 @@
 namespace barrido::raster {
 namespace {
 
-/// First pixel whose centre is at or after the coordinate (1/256 pixel).
-int first_centre(std::int32_t coordinate) { return (coordinate + kSubpixelUnits / 2 - 1) >> kSubpixelBits; }
-
 /// Bounds of triangles are exact; points and lines get a margin of their width.
 PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
   if (chunk.topology == Topology::triangles) {
     // Not std::minmax, whose branches nobody can foresee.
     const auto least = [](const std::int32_t* v) { return std::min(std::min(v[0], v[1]), v[2]); };
     const auto most = [](const std::int32_t* v) { return std::max(std::max(v[0], v[1]), v[2]); };
-    return {first_centre(least(p.x)), first_centre(least(p.y)), first_centre(most(p.x)),
-            first_centre(most(p.y))};
+    return {first_centre_at(least(p.x)), first_centre_at(least(p.y)), first_centre_at(most(p.x)),
+            first_centre_at(most(p.y))};
   }
   const int last = chunk.topology == Topology::lines ? 1 : 0;
   const float width = chunk.topology == Topology::lines ? chunk.line_width : chunk.point_size;
@@ -49,7 +46,8 @@ PixelBox tiles_of(const PixelBox& pixels) {
 
 }  // namespace
 
-BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid) : chunk_(std::move(chunk)) {
+BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface)
+    : chunk_(std::move(chunk)), key_(make_kernel_key(*chunk_.state, surface)) {
   const std::size_t count = chunk_.primitives.size();
   UnclearedArray<PixelBox> boxes(count);
   tiles_ = {grid.columns, grid.rows, 0, 0};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raster/fragments/primitive.h"
+#include "raster/tiles/kernel_key.h"
 #include "raster/tiles/tile_grid.h"
 
 namespace barrido::raster {
@@ -19,9 +20,12 @@ struct PixelBox {
 /// A chunk with, for each tile of the box of tiles it touches, the numbers of its primitives in order.
 class BinnedChunk {
  public:
-  BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid);
+  /// For a frame of this format.
+  BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface);
 
   const PrimitiveChunk& chunk() const { return chunk_; }
+  /// Which loops draw it.
+  const KernelKey& key() const { return key_; }
   /// Numbers of the primitives that may touch the tile, ascending.
   std::span<const std::uint16_t> primitives_in(int tile_column, int tile_row) const {
     if (tile_column < tiles_.x_begin || tile_column >= tiles_.x_end || tile_row < tiles_.y_begin ||
@@ -35,6 +39,7 @@ class BinnedChunk {
 
  private:
   PrimitiveChunk chunk_;
+  KernelKey key_;
   PixelBox tiles_{0, 0, 0, 0};
   std::vector<std::uint32_t> begin_;  // one a tile of tiles_, and the end
   std::vector<std::uint16_t> entries_;

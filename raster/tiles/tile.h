@@ -38,7 +38,7 @@ struct DepthPlane {
 /// covers columns [first[r], end[r]) before the scissor: interpolation is anchored at `first`
 /// (docs/arithmetic.md).
 struct TilePrimitive {
-  const PrimitiveChunk* chunk;
+  const BinnedChunk* chunk;
   const PrimitiveRecord* record;
   DepthPlane depth;
   int row_begin, row_end;                   ///< Rows that the scissor leaves.
@@ -81,6 +81,7 @@ inline constexpr float kSmallestQ = 1e-30f;
 struct TileWorkspace {
   TileSurface surface;
   FragmentBatch batch;
+  const KernelKey* key = nullptr;  ///< Of the batch's fragments.
   LodGroups lod_groups[kMaxTextureUnits];
   int lod_group_count = 0;  ///< The same for all units.
   /// Levels and results of the texture unit that is being sampled.

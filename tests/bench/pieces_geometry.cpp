@@ -85,7 +85,7 @@ void assembly_and_binning(benchmark::State& state) {
   for (auto _ : state) {
     triangles = assemble_all(draw, [&grid](pipeline::Assembled&& run) {
       for (raster::PrimitiveChunk& chunk : run.chunks) {
-        benchmark::DoNotOptimize(raster::BinnedChunk(std::move(chunk), grid));
+        benchmark::DoNotOptimize(raster::BinnedChunk(std::move(chunk), grid, raster::ColorFormat::rgba8));
       }
     });
   }
