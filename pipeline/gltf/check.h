@@ -1,4 +1,4 @@
-// Compares a parsed JSON document with the tables of gltf_rules.h before anything is read from it.
+// Compares a parsed JSON document with the tables of schema.h before anything is read from it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,9 +7,9 @@
 
 namespace barrido::scene::gltf {
 
-/// Afterwards every property named in the tables has its type, range and number of items, required ones are
-/// there, and every index is below the size of the array it refers to. Whole numbers written as 3.0 become
-/// integers. @throws InputError naming the first property that is wrong.
+/// Afterwards every property that drawing reads has its type and number of items, and the range that drawing
+/// needs, required ones are there, and every index is below the size of the array it refers to. Whole numbers
+/// written as 3.0 become integers. @throws InputError naming the first property that is wrong.
 void check_document(Report& report, nlohmann::json& document);
 
 }  // namespace barrido::scene::gltf

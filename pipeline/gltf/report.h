@@ -1,7 +1,8 @@
-// Where the problems of one import go: errors end it as InputError, warnings are collected. Knows nothing of
-// glTF.
+// Where the problems of one import go: errors end it as InputError, warnings are collected; and words for
+// what comes from the file. Knows nothing of glTF.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,31 @@ namespace barrido::scene::gltf {
 /// is cut at a whole UTF-8 character and ends in "...".
 std::string one_line(std::string_view text, std::size_t max_bytes = 160);
 
+/// A number as the file might have written it: "3", "0.1", "NaN".
+std::string shown(double value);
+
 /// "accessors[3]"
 std::string element(std::string_view array, std::size_t index);
+
+/// Where a walk through a document is, as a chain up to the root: made into text only when something is
+/// wrong. A place must not outlive its parents.
+class Place {
+ public:
+  Place() = default;
+  Place(const Place& parent, std::string_view name) : parent_(&parent), name_(name) {}
+  Place(const Place& parent, std::size_t index) : parent_(&parent), index_(index) {}
+
+  /// "meshes[0].primitives[1].mode"; empty for the root.
+  std::string text() const;
+  /// "/meshes/0/primitives/1/mode" (RFC 6901); empty for the root.
+  std::string pointer() const;
+
+ private:
+  static constexpr std::size_t kNoIndex = SIZE_MAX;
+  const Place* parent_ = nullptr;
+  std::string_view name_;
+  std::size_t index_ = kNoIndex;
+};
 
 class Report {
  public:

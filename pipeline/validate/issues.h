@@ -10,27 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/gltf/report.h"
 #include "pipeline/validate/codes.h"
 #include "pipeline/validate/codes_scene.h"
 
 namespace barrido::scene::validation {
 
-/// Where a walk is, as a chain up to the root: made into text only when something is wrong.
-class Place {
- public:
-  Place() = default;
-  Place(const Place& parent, std::string_view name) : parent_(&parent), name_(name) {}
-  Place(const Place& parent, std::size_t index) : parent_(&parent), index_(index) {}
-
-  /// "/meshes/0/primitives/1"; empty for the root.
-  std::string pointer() const;
-
- private:
-  static constexpr std::size_t kNoIndex = SIZE_MAX;
-  const Place* parent_ = nullptr;
-  std::string_view name_;
-  std::size_t index_ = kNoIndex;
-};
+using gltf::Place;
 
 struct Issue {
   std::string_view code;
@@ -63,8 +49,6 @@ class Issues {
   bool truncated_ = false;
 };
 
-/// A number as the file might have written it: "3", "0.1", "NaN".
-std::string shown(double value);
 /// The text in quotation marks, on one line and not too long.
 std::string in_quotes(std::string_view text);
 

@@ -6,12 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/validate/schema.h"
+#include "pipeline/gltf/schema.h"
+#include "pipeline/validate/json_text.h"
 
 namespace barrido::scene::validation {
 
-/// "accessors", "bufferViews" …
-std::string_view name_of(Collection collection);
+using gltf::Collection;
+using gltf::Kind;
+using gltf::ObjectType;
+using gltf::Property;
+using gltf::Schema;
 
 class References {
  public:
@@ -29,9 +33,9 @@ class References {
 
  private:
   enum class State : std::uint8_t { missing, unused, used };
-  void count(Collection collection, const Json& array, bool all_or_none);
+  void count(Collection collection, const Json& document);
 
-  std::array<std::vector<State>, static_cast<std::size_t>(Collection::count)> states_;
+  std::array<std::vector<State>, gltf::kCollections> states_;
 };
 
 }  // namespace barrido::scene::validation

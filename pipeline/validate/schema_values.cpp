@@ -31,29 +31,15 @@ std::size_t index_in(Json& value) {
 bool is_in_range(double value, const Property& property) {
   if (value == property.or_else) return true;
   if (is_infinite(value)) return false;
-  return value >= property.min && value <= property.max && !(property.above_min && value == property.min) &&
-         !(property.below_max && value == property.max);
-}
-
-std::string list_of(std::string_view choices) {
-  std::string text(choices);
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.replace(at, 1, ", ");
-  return text;
+  return value >= property.range.min && value <= property.range.max &&
+         !(property.above_min && value == property.range.min) &&
+         !(property.below_max && value == property.range.max);
 }
 
 std::string list_of(std::span<const int> integers) {
   std::string text;
   for (const int value : integers) text += (text.empty() ? "" : ", ") + std::to_string(value);
   return text;
-}
-
-bool is_choice(std::string_view text, std::string_view choices) {
-  while (!choices.empty()) {
-    const std::string_view choice = choices.substr(0, choices.find('|'));
-    if (choice == text) return true;
-    choices.remove_prefix(std::min(choice.size() + 1, choices.size()));
-  }
-  return false;
 }
 
 }  // namespace
@@ -81,9 +67,14 @@ bool SchemaWalk::check_integer(Json& value, const Property& property, const Plac
     issues_.add(kValueNotInList, place, {shown(value), list_of(property.integers)});
     return false;
   }
-  if (is_in_range(number, property)) return true;
-  issues_.add(kValueNotInRange, place, {shown(value)});
-  return false;
+  if (!is_in_range(number, property)) {
+    issues_.add(kValueNotInRange, place, {shown(value)});
+    return false;
+  }
+  if (value.get<std::int64_t>() % property.multiple_of != 0) {
+    issues_.add(kValueMultipleOf, place, {shown(value), std::to_string(property.multiple_of)});
+  }
+  return true;
 }
 
 bool SchemaWalk::check_number(const Json& value, const Property& property, const Place& place) {
@@ -95,8 +86,8 @@ bool SchemaWalk::check_number(const Json& value, const Property& property, const
 
 bool SchemaWalk::check_text(const Json& value, const Property& property, const Place& place) {
   if (!has_type(value.is_string(), value, "a string", place)) return false;
-  if (!property.choices.empty() && !is_choice(value.get_ref<const std::string&>(), property.choices)) {
-    issues_.add(kValueNotInList, place, {shown(value), list_of(property.choices)});
+  if (!property.choices.empty() && !gltf::is_choice(value.get_ref<const std::string&>(), property.choices)) {
+    issues_.add(kValueNotInList, place, {shown(value), gltf::list_of(property.choices)});
   }
   return true;  // A word that is not known is still a word, and perhaps one of a later version.
 }
@@ -120,23 +111,20 @@ bool SchemaWalk::check_texts(const Json& value, const Place& place) {
   return all_texts;
 }
 
-bool SchemaWalk::has_root_extension(Collection target) const {
-  const char* name = target == Collection::lights ? "KHR_lights_punctual" : "KHR_materials_variants";
-  const auto extensions = document_.find("extensions");
-  return extensions != document_.end() && extensions->is_object() && extensions->contains(name) &&
-         (*extensions)[name].is_object();
+bool SchemaWalk::has_parent(const Json::json_pointer& array) const {
+  const Json::json_pointer parent = array.parent_pointer();
+  return document_.contains(parent) && document_[parent].is_object();
 }
 
 void SchemaWalk::resolve(std::size_t index, const Property& property, const Place& place,
                          const Place& object_place) {
   const Collection target = property.target;
   if (target == Collection::count) return;  // The array is known only to the object that holds both.
-  if ((target == Collection::lights || target == Collection::variants) && !has_root_extension(target)) {
-    issues_.add(kUnsatisfiedDependency, object_place,
-                {target == Collection::lights ? "/extensions/KHR_lights_punctual"
-                                              : "/extensions/KHR_materials_variants"});
+  const Json::json_pointer array(gltf::pointer_to(target));
+  if (!has_parent(array)) {
+    issues_.add(kUnsatisfiedDependency, object_place, {array.parent_pointer().to_string()});
   } else if (!references_.exists(target, index)) {
-    issues_.add(kUnresolvedReference, place, {gltf::element(name_of(target), index)});
+    issues_.add(kUnresolvedReference, place, {gltf::element(gltf::name_of(target), index)});
   } else if (!property.unused) {
     references_.use(target, index);
   }
@@ -219,8 +207,9 @@ bool SchemaWalk::check_numbers(const Json& value, const Property& property, cons
     issues_.add(kEmptyEntity, place);
     return false;
   }
-  if (property.items != 0 && value.size() != property.items) {
-    issues_.add(kArrayLengthNotInList, place, {std::to_string(value.size()), std::to_string(property.items)});
+  if (value.size() < property.min_items || value.size() > property.max_items) {
+    issues_.add(kArrayLengthNotInList, place,
+                {std::to_string(value.size()), std::to_string(property.min_items)});
     return false;
   }
   bool all_right = true;

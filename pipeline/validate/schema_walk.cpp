@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/validate/value_checks.h"
+
 namespace barrido::scene::validation {
 namespace {
 
@@ -41,7 +43,7 @@ bool SchemaWalk::has_extension(std::string_view name) const { return holds(known
 
 bool SchemaWalk::run() {
   const Place root;
-  const Schema& schema = document_schema();
+  const Schema& schema = gltf::document_schema();
   warn_of_unknown(document_, schema, root);
   if (document_.contains("extensionsRequired") && !document_.contains("extensionsUsed")) {
     issues_.add(kUnsatisfiedDependency, Place(root, "extensionsRequired"), {"extensionsUsed"});
@@ -80,7 +82,7 @@ void SchemaWalk::init_extensions() {
     const std::string& name = declared_[i];
     const Place place(used_place, i);
     if (!is_extension_name(name)) issues_.add(kInvalidExtensionNameFormat, place);
-    const Extension* extension = find_extension(name);
+    const gltf::Extension* extension = gltf::find_extension(name);
     if (extension == nullptr) {
       issues_.add(kUnsupportedExtension, place, {in_quotes(name)});
       continue;
@@ -119,9 +121,16 @@ void SchemaWalk::check_property(Json& object, const Property& property, const Pl
 
 void SchemaWalk::walk_object(Json& object, const Schema& schema, const Place& place) {
   warn_of_unknown(object, schema, place);
-  for (const Property& property : schema.properties) check_property(object, property, place);
+  for (const Property& property : schema.properties) {
+    if (!property.of_type) check_property(object, property, place);
+  }
   walk_extensions(object, schema, place);
-  if (schema.check != nullptr) schema.check(*this, object, place);
+  check_values(*this, schema.type, object, place);
+  for (Property property : schema.properties) {
+    if (!property.of_type || object.value("type", std::string()) != property.name) continue;
+    property.required = true;
+    check_property(object, property, place);
+  }
 }
 
 void SchemaWalk::walk_extensions(Json& object, const Schema& schema, const Place& place) {
@@ -151,7 +160,7 @@ void SchemaWalk::walk_extension(Json& extensions, const std::string& name, const
     if (!is_object) extensions.erase(name);
     return;
   }
-  const ExtensionObject* extension = find_extension_object(name, schema.type);
+  const gltf::ExtensionObject* extension = gltf::find_extension_object(name, schema.type);
   if (extension == nullptr) issues_.add(kUnexpectedExtensionObject, place);
   if (extension == nullptr || !is_object) {
     extensions.erase(name);

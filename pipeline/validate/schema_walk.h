@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "pipeline/validate/references.h"
-#include "pipeline/validate/schema.h"
 
 namespace barrido::scene::validation {
 
@@ -61,7 +60,8 @@ class SchemaWalk {
   /// Reports the type when it is not the one wanted.
   bool has_type(bool right, const Json& value, const char* wanted, const Place& place);
   void resolve(std::size_t index, const Property& property, const Place& place, const Place& object_place);
-  bool has_root_extension(Collection target) const;
+  /// Whether there is an object where the array belongs.
+  bool has_parent(const Json::json_pointer& array) const;
 
   Issues& issues_;
   Json& document_;
@@ -73,5 +73,6 @@ class SchemaWalk {
 
 /// A JSON value for a message, on one line and not too long.
 std::string shown(const Json& value);
+using gltf::shown;
 
 }  // namespace barrido::scene::validation

@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/validate/schema_parts.h"
-#include "pipeline/validate/schema_walk.h"
 #include "pipeline/validate/semantics.h"
 #include "pipeline/validate/value_checks.h"
 
@@ -133,11 +131,7 @@ void check_iridescence_values(SchemaWalk& walk, Json& iridescence, const Place& 
 
 void check_light_values(SchemaWalk& walk, Json& light, const Place& place) {
   const std::string type = light.value("type", std::string());
-  if (type == "spot") {
-    walk.check_property(light, required(object("spot", spot_schema())), place);
-  } else if (light.contains("spot")) {
-    walk.issues().add(kExtraProperty, Place(place, "spot"));
-  }
+  if (type != "spot" && light.contains("spot")) walk.issues().add(kExtraProperty, Place(place, "spot"));
   if (type == "directional" && light.contains("range"))
     walk.issues().add(kExtraProperty, Place(place, "range"));
 }

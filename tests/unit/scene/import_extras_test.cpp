@@ -1,5 +1,9 @@
-// extras.barrido of materials, lights and scenes.
+// extras.barrido of materials, lights and scenes; and that its JSON schema in docs/ says what the table says.
+#include <fstream>
+#include <set>
+
 #include "import_support.h"
+#include "pipeline/gltf/schema.h"
 
 namespace barrido::scene::test {
 namespace {
@@ -105,6 +109,134 @@ TEST(ImportExtras, ExtrasOfOthersMayBeAnything) {
   model.document["materials"] = {{{"extras", 7}}, {{"extras", {{"other", {{"diffuse", "red"}}}}}}};
   model.document["scenes"][0]["extras"] = json::array({1, 2});
   EXPECT_TRUE(model.import().warnings.empty());
+}
+
+const gltf::Schema& schema_at(const gltf::Schema& schema, std::string_view name) {
+  for (const gltf::Property& property : schema.properties) {
+    if (property.name == name) return *property.schema;
+  }
+  throw std::out_of_range(std::string(name));
+}
+
+const gltf::Schema& barrido_of_materials() {
+  return *schema_at(gltf::document_schema(), "materials").barrido;
+}
+const gltf::Schema& barrido_of_lights() {
+  const auto* lights = gltf::find_extension_object("KHR_lights_punctual", gltf::ObjectType::document);
+  return *schema_at(*lights->schema, "lights").barrido;
+}
+const gltf::Schema& barrido_of_scenes() { return *schema_at(gltf::document_schema(), "scenes").barrido; }
+
+/// What JSON Schema says where the table has that row.
+json written_form(const gltf::Property& row);
+
+json written_form(const gltf::Schema& table) {
+  json form = {{"type", "object"}, {"properties", json::object()}, {"additionalProperties", !table.closed}};
+  for (const gltf::Property& row : table.properties) {
+    form["properties"][std::string(row.name)] = written_form(row);
+    if (row.required) form["required"].push_back(row.name);
+  }
+  return form;
+}
+
+json written_form(const gltf::Property& row) {
+  json number = {{"type", "number"}};
+  if (row.range.min != gltf::Range{}.min) number["minimum"] = row.range.min;
+  if (row.range.max != gltf::Range{}.max) number["maximum"] = row.range.max;
+  switch (row.kind) {
+    case gltf::Kind::number:
+      return number;
+    case gltf::Kind::numbers:
+      return {{"type", "array"}, {"items", number}, {"minItems", row.min_items}, {"maxItems", row.max_items}};
+    case gltf::Kind::text: {
+      json choices = json::array();
+      std::istringstream words{std::string(row.choices)};
+      for (std::string word; std::getline(words, word, '|');) choices.push_back(word);
+      return {{"enum", choices}};
+    }
+    case gltf::Kind::object:
+      return written_form(*row.schema);
+    default:
+      return "a kind that extras.barrido does not have";
+  }
+}
+
+/// A part of a JSON schema with its references put in, without what only people read.
+json plain(const json& schema, const json& definitions) {
+  if (!schema.is_object()) return schema;
+  json form = json::object();
+  for (const auto& [name, value] : schema.items()) {
+    if (name == "$ref") {
+      const auto target = value.get<std::string>().substr(std::string("#/$defs/").size());
+      form.update(plain(definitions.at(target), definitions));
+    } else if (name == "properties") {
+      for (const auto& [property, part] : value.items()) form[name][property] = plain(part, definitions);
+    } else if (name != "title" && name != "description" && name != "default" && name != "contains") {
+      form[name] = plain(value, definitions);
+    }
+  }
+  return form;
+}
+
+TEST(ImportExtras, JsonSchemaSaysWhatTheTableSays) {
+  std::ifstream file(std::string(BARRIDO_SOURCE_DIR) + "/docs/barrido-extras.schema.json");
+  const json schema = json::parse(file), &definitions = schema.at("$defs");
+  EXPECT_EQ(plain(definitions.at("material"), definitions), written_form(barrido_of_materials()));
+  EXPECT_EQ(plain(definitions.at("light"), definitions), written_form(barrido_of_lights()));
+  EXPECT_EQ(plain(definitions.at("scene"), definitions), written_form(barrido_of_scenes()));
+}
+
+/// A value that the row allows, and that no default is.
+json sample(const gltf::Property& row) {
+  constexpr double kNumber = 0.625;
+  if (row.kind == gltf::Kind::numbers) return std::vector<double>(row.min_items, kNumber);
+  if (row.kind == gltf::Kind::number) return kNumber;
+  if (row.kind == gltf::Kind::text) return std::string(row.choices.substr(row.choices.rfind('|') + 1));
+  return {{"mode", "linear"}};
+}
+
+/// Everything that extras.barrido can set, as text.
+std::string settings_of(const Scene& scene) {
+  std::ostringstream text;
+  const auto put = [&](const auto& value) { text << (value ? (*value)[0] : -1.0f) << ' '; };
+  const ExactMaterial& material = scene.materials[0].exact;
+  for (const auto* color : {&material.ambient, &material.diffuse, &material.specular, &material.emission}) {
+    put(*color);
+  }
+  const Light& light = scene.lights[0];
+  const SceneSettings& settings = scene.scenes[0].settings;
+  put(light.attenuation);
+  put(settings.ambient);
+  put(settings.background);
+  for (const auto& number : {material.shininess, light.exact_intensity, light.spot_exponent}) {
+    text << number.value_or(-1) << ' ';
+  }
+  if (settings.fog) {
+    text << static_cast<int>(settings.fog->mode) << ' ' << settings.fog->density << ' ' << settings.fog->start
+         << ' ' << settings.fog->end << ' ' << settings.fog->color[0];
+  }
+  return text.str();
+}
+
+TEST(ImportExtras, EveryRowOfTheTableIsRead) {
+  const auto expect_read = [](const gltf::Schema& table, const json& base, const auto& model_with) {
+    for (const gltf::Property& row : table.properties) {
+      json changed = base;
+      changed[std::string(row.name)] = sample(row);
+      const Scene with = model_with(changed).import(), without = model_with(base).import();
+      EXPECT_NE(settings_of(with), settings_of(without)) << row.name;
+      EXPECT_TRUE(with.warnings.empty());
+    }
+  };
+  expect_read(barrido_of_materials(), kNothing,
+              [](const json& value) { return with_extras(value, kNothing, kNothing); });
+  expect_read(barrido_of_lights(), kNothing,
+              [](const json& value) { return with_extras(kNothing, value, kNothing); });
+  expect_read(barrido_of_scenes(), kNothing,
+              [](const json& value) { return with_extras(kNothing, kNothing, value); });
+  expect_read(schema_at(barrido_of_scenes(), "fog"), {{"mode", "linear"}}, [](const json& value) {
+    return with_extras(kNothing, kNothing, {{"fog", value}});
+  });
 }
 
 }  // namespace
