@@ -20,16 +20,16 @@ def decoded(stored: np.ndarray, normalized: bool) -> np.ndarray:
     return np.maximum(values / np.iinfo(stored.dtype).max, -1.0)
 
 
-def png(pixels: np.ndarray) -> bytes:
-    """An RGBA picture of shape (height, width, 4), bytes."""
-    height, width, _ = pixels.shape
+def png_of(pixels: np.ndarray) -> bytes:
+    """A picture of bytes, of shape (height, width, 1 to 4 channels)."""
+    height, width, channels = pixels.shape
     rows = b"".join(b"\0" + pixels[y].tobytes() for y in range(height))
 
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
+    header = struct.pack(">IIBBBBB", width, height, 8, (0, 4, 2, 6)[channels - 1], 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b"")
 
 
 class Glb:
@@ -100,7 +100,7 @@ class Glb:
     def picture(self, pixels: np.ndarray) -> int:
         """An image. Returns its index."""
         self.pictures.append(pixels)
-        return self.add("images", {"bufferView": self.view(png(pixels)), "mimeType": "image/png"})
+        return self.add("images", {"bufferView": self.view(png_of(pixels)), "mimeType": "image/png"})
 
     def bytes(self) -> bytes:
         self._data += bytes(-len(self._data) % 4)
