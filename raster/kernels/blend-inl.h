@@ -31,44 +31,24 @@ HWY_INLINE Rgba one_color(const float* c) {
   return {{hn::Set(d, c[0]), hn::Set(d, c[1]), hn::Set(d, c[2]), hn::Set(d, c[3])}};
 }
 
-/// Factor of one channel; `s` and `t` are source and destination.
+/// Factor of one channel; `s` and `t` are source and destination. BlendFactor lists each factor before its
+/// complement.
 HWY_INLINE V blend_factor(BlendFactor factor, const Rgba& s, const Rgba& t, const BlendState& blend,
                           int channel) {
-  const F d;
-  const auto constant = [&](int c) HWY_ATTR { return hn::Set(d, blend.constant[c]); };
-  switch (factor) {
-    case BlendFactor::zero:
-      return hn::Zero(d);
-    case BlendFactor::one:
-      return one();
-    case BlendFactor::src_color:
-      return s.c[channel];
-    case BlendFactor::one_minus_src_color:
-      return hn::Sub(one(), s.c[channel]);
-    case BlendFactor::dst_color:
-      return t.c[channel];
-    case BlendFactor::one_minus_dst_color:
-      return hn::Sub(one(), t.c[channel]);
-    case BlendFactor::src_alpha:
-      return s.c[3];
-    case BlendFactor::one_minus_src_alpha:
-      return hn::Sub(one(), s.c[3]);
-    case BlendFactor::dst_alpha:
-      return t.c[3];
-    case BlendFactor::one_minus_dst_alpha:
-      return hn::Sub(one(), t.c[3]);
-    case BlendFactor::constant_color:
-      return constant(channel);
-    case BlendFactor::one_minus_constant_color:
-      return hn::Sub(one(), constant(channel));
-    case BlendFactor::constant_alpha:
-      return constant(3);
-    case BlendFactor::one_minus_constant_alpha:
-      return hn::Sub(one(), constant(3));
-    case BlendFactor::src_alpha_saturate:
-      break;
+  if (factor == BlendFactor::src_alpha_saturate) {
+    return channel == 3 ? one() : minimum(s.c[3], hn::Sub(one(), t.c[3]));
   }
-  return channel == 3 ? one() : minimum(s.c[3], hn::Sub(one(), t.c[3]));
+  const F d;
+  const int number = static_cast<int>(factor);
+  const auto pair = static_cast<BlendFactor>(number & ~1);
+  const V value = pair == BlendFactor::zero             ? hn::Zero(d)
+                  : pair == BlendFactor::src_color      ? s.c[channel]
+                  : pair == BlendFactor::dst_color      ? t.c[channel]
+                  : pair == BlendFactor::src_alpha      ? s.c[3]
+                  : pair == BlendFactor::dst_alpha      ? t.c[3]
+                  : pair == BlendFactor::constant_color ? hn::Set(d, blend.constant[channel])
+                                                        : hn::Set(d, blend.constant[3]);
+  return number % 2 == 0 ? value : hn::Sub(one(), value);
 }
 
 // Each way of blending knows whether it `keeps_unit`: colours in [0, 1] then give colours in [0, 1 + 2^-19],

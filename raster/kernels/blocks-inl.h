@@ -96,11 +96,8 @@ class TriangleBlocks {
     }
   }
 
-  struct Counts {
-    std::uint64_t spans, covered, shaded;
-  };
   /// Of all triangles so far.
-  Counts counts() const {
+  LoopCounts counts() const {
     return {spans_, static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(GroupI(), covered_))), shaded_};
   }
 

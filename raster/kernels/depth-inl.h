@@ -112,12 +112,10 @@ HWY_INLINE auto columns_mask(D d, int x, int begin, int end) {
   return hn::AndNot(lanes_below(d, begin - x), lanes_below(d, end - x));
 }
 
-/// Whether no depth of columns [begin, end) needs clamping to [0, 1]. In floating point, too, a linear
-/// function is monotonic, so the ends decide.
-inline bool within_unit(const SpanDepth& depth, int begin, int end) {
-  const float a = depth.at(begin);
-  const float b = depth.at(end - 1);
-  return a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f;
+/// Whether no depth of a span needs clamping to [0, 1], from those at its ends: in floating point, too, a
+/// linear function is monotonic.
+inline bool within_unit(float at_begin, float at_end) {
+  return at_begin > 0.0f && at_begin < 1.0f && at_end > 0.0f && at_end < 1.0f;
 }
 
 /// Tests columns [begin, end) of a row and calls passed(x, mask, column) for each vector of pixels, where
@@ -146,7 +144,7 @@ HWY_INLINE void test_depth(const Rule& rule, float* depth_row, const SpanDepth& 
 template <class Passed>
 HWY_INLINE void test_depth(const KernelKey& key, const AnyDepth& any, float* depth_row,
                            const SpanDepth& depth, int start, int begin, int end, Passed&& passed) {
-  if (key.depth == DepthTest::less && within_unit(depth, begin, end)) {
+  if (key.depth == DepthTest::less && within_unit(depth.at(begin), depth.at(end - 1))) {
     test_depth(UsualDepth(), depth_row, depth, start, begin, end, passed);
   } else {
     test_depth(any, depth_row, depth, start, begin, end, passed);

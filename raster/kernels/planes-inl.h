@@ -116,7 +116,7 @@ HWY_INLINE void set_up_triangle(const TriangleFrame& f, const float* r0, const f
       offset_depth(planes.base[kRecordDepth], planes.ddx[kRecordDepth], planes.ddy[kRecordDepth], offset);
 }
 
-/// Quantities of a line vary along its major axis only.
+/// Quantities of a line vary along its major axis only, those of a point not at all: `r1` is null.
 inline void set_up_line(const PrimitiveRecord& p, const float* r0, const float* r1, int count,
                         Planes& planes) {
   constexpr double kUnit = 1.0 / kSubpixelUnits;
@@ -127,24 +127,12 @@ inline void set_up_line(const PrimitiveRecord& p, const float* r0, const float* 
   const double dy = p.y[1] * kUnit - planes.y0;
   const bool x_major = std::fabs(dx) >= std::fabs(dy);
   for (int i = 0; i < count; ++i) {
-    const double e = static_cast<double>(r1[i]) - static_cast<double>(r0[i]);
-    planes.base[i] = static_cast<double>(r0[i]);
-    planes.ddx[i] = x_major ? e / dx : 0.0;
-    planes.ddy[i] = x_major ? 0.0 : e / dy;
+    const double e = r1 != nullptr ? r1[i] - static_cast<double>(r0[i]) : 0.0;
+    planes.base[i] = r0[i];
+    planes.ddx[i] = r1 != nullptr && x_major ? e / dx : 0.0;
+    planes.ddy[i] = r1 != nullptr && !x_major ? e / dy : 0.0;
     planes.slope_x[i] = static_cast<float>(planes.ddx[i]);
     planes.slope_y[i] = static_cast<float>(planes.ddy[i]);
-  }
-}
-
-inline void set_up_point(const PrimitiveRecord& p, const float* r0, int count, Planes& planes) {
-  constexpr double kUnit = 1.0 / kSubpixelUnits;
-  planes.x0 = p.x[0] * kUnit;
-  planes.y0 = p.y[0] * kUnit;
-  planes.count = count;
-  for (int i = 0; i < count; ++i) {
-    planes.base[i] = static_cast<double>(r0[i]);
-    planes.ddx[i] = planes.ddy[i] = 0.0;
-    planes.slope_x[i] = planes.slope_y[i] = 0.0f;
   }
 }
 

@@ -117,12 +117,10 @@ class SpanShader {
 
   /// All of a small triangle at once, its depth test included.
   void shade_blocks(TriangleBlocks& blocks, const TriangleSpans& spans) { blocks.draw(spans, block_paint()); }
-  /// Counts what the blocks have drawn.
-  void count_blocks(const TriangleBlocks& blocks) {
-    const TriangleBlocks::Counts counts = blocks.counts();
+  void count(Loop loop, const LoopCounts& counts) {
     workspace_.statistics.spans += counts.spans;
     workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(Loop::blocks, counts.shaded);
+    count_shaded(loop, counts.shaded);
   }
 
   TinyPaint tiny_paint() const { return {key_->colors == ColorWay::flat, color_, key_->divides_color}; }
@@ -139,12 +137,7 @@ class SpanShader {
   }
 
   /// Draws and counts the tiny triangles that have been taken.
-  void draw_tiny(TinyTriangles& tiny) {
-    const TinyTriangles::Counts counts = tiny.draw();
-    workspace_.statistics.spans += counts.spans;
-    workspace_.statistics.fragments_covered += counts.covered;
-    count_shaded(Loop::lists, counts.shaded);
-  }
+  void draw_tiny(TinyTriangles& tiny) { count(Loop::lists, tiny.draw()); }
 
   void flush() {
     if (workspace_.batch.count > 0) shade_batch(workspace_);
@@ -215,17 +208,15 @@ class SpanShader {
     const int stride = record_stride(chunk.state->varyings.count);
     const float* r0 = chunk.record(p.vertex[0], stride);
     span_.planes = &planes_;
+    span_.constant_q = false;
     if (chunk.topology == Topology::triangles) {
       const float* r1 = chunk.record(p.vertex[1], stride);
       const float* r2 = chunk.record(p.vertex[2], stride);
       set_up_triangle(triangle_frame(p), r0, r1, r2, stride, chunk.state->polygon_offset, planes_);
       span_.constant_q = r0[kRecordQ] == 1.0f && r1[kRecordQ] == 1.0f && r2[kRecordQ] == 1.0f;
-    } else if (chunk.topology == Topology::lines) {
-      set_up_line(p, r0, chunk.record(p.vertex[1], stride), stride, planes_);
-      span_.constant_q = false;
     } else {
-      set_up_point(p, r0, stride, planes_);
-      span_.constant_q = false;
+      const bool is_line = chunk.topology == Topology::lines;
+      set_up_line(p, r0, is_line ? chunk.record(p.vertex[1], stride) : nullptr, stride, planes_);
     }
     is_set_up_ = true;
   }

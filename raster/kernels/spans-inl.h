@@ -133,11 +133,15 @@ HWY_INLINE bool triangle_spans(const PrimitiveRecord& p, const TileArea& tile, T
   return true;
 }
 
+/// Of a point's size or a line's width, in pixels.
+inline int whole_size(float size) {
+  return std::max(1, static_cast<int>(std::floor(std::min(size, 1.0f * kMaxFrameSide) + 0.5f)));
+}
+
 /// Visits the spans (row, first, end) of an n × n square point.
 template <class Visit>
 void point_spans(const PrimitiveRecord& p, float point_size, const TileArea& tile, Visit&& visit) {
-  const int size =
-      std::max(1, static_cast<int>(std::floor(std::min(point_size, 1.0f * kMaxFrameSide) + 0.5f)));
+  const int size = whole_size(point_size);
   const auto lowest = [size](std::int32_t v) {
     return (size & 1) != 0 ? (v >> kSubpixelBits) - (size - 1) / 2
                            : ((v + kSubpixelUnits / 2) >> kSubpixelBits) - size / 2;
@@ -158,8 +162,7 @@ inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 /// Visits the pixels of a line as spans of one pixel, from its first end to its second.
 template <class Visit>
 void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile, Visit&& visit) {
-  const int width =
-      std::max(1, static_cast<int>(std::floor(std::min(line_width, 1.0f * kMaxFrameSide) + 0.5f)));
+  const int width = whole_size(line_width);
   const std::int64_t dx = static_cast<std::int64_t>(p.x[1]) - p.x[0];
   const std::int64_t dy = static_cast<std::int64_t>(p.y[1]) - p.y[0];
   const bool x_major = std::abs(dx) >= std::abs(dy);

@@ -139,7 +139,7 @@ class TileRasterizer {
       if (key.late_depth) shader_.flush();
     }
     shader_.draw_tiny(tiny);
-    if (takes_blocks) shader_.count_blocks(blocks);
+    if (takes_blocks) shader_.count(Loop::blocks, blocks.counts());
   }
 
   void draw_spans(const PrimitiveChunk& chunk, const PrimitiveRecord& p, const ScissorBox& scissor) {

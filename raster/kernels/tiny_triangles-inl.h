@@ -62,18 +62,14 @@ class TinyTriangles {
     ++triangle_count_;
   }
 
-  struct Counts {
-    std::size_t spans = 0, covered = 0, shaded = 0;
-  };
-
   /// Draws the triangles that were added.
-  Counts draw() {
+  LoopCounts draw() {
     if (triangle_count_ == 0) return {};
     start_spans();
     const std::size_t shaded = paint_.is_flat   ? draw_flat_pixels()
                                : paint_.divides ? draw_smooth_pixels<true>()
                                                 : draw_smooth_pixels<false>();
-    const Counts counts{row_count_, pixel_count_, shaded};
+    const LoopCounts counts{row_count_, pixel_count_, shaded};
     triangle_count_ = row_count_ = pixel_count_ = 0;
     return counts;
   }

@@ -208,7 +208,7 @@ class VisibilityPass {
     const float a = at(begin);
     const float b = at(end - 1);
     if (std::min(a, b) > covered.far_row[row]) return;
-    if (a > 0.0f && a < 1.0f && b > 0.0f && b < 1.0f) {
+    if (within_unit(a, b)) {
       test_row<kTest, false>(mark, row, begin, end, depth);
     } else {
       test_row<kTest, true>(mark, row, begin, end, depth);

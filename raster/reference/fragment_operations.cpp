@@ -1,7 +1,5 @@
 #include "raster/reference/fragment_operations.h"
 
-#include <cmath>
-
 #include <bit>
 #include <cmath>
 

@@ -1,4 +1,6 @@
-// Sorts the primitives of a chunk into the tiles that their bounding boxes touch, keeping their order.
+// The frame cut into tiles, and the primitives of a chunk sorted into the tiles that their bounding boxes
+// touch, in their order. A tile's colour and depth stay in the first or second cache level of the one thread
+// that draws it. Tiles are aligned at window (0, 0), so that nothing depends on the size of the frame.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +9,30 @@
 
 #include "raster/fragments/primitive.h"
 #include "raster/tiles/kernel_key.h"
-#include "raster/tiles/tile_grid.h"
 
 namespace barrido::raster {
+
+inline constexpr int kTileWidth = 128;
+inline constexpr int kTileHeight = 32;
+inline constexpr int kTilePixels = kTileWidth * kTileHeight;
+/// Elements that kernels may touch, but not change, past the last row.
+inline constexpr int kTilePadding = 16;
+/// The same for the tile's pixels, of which blocks of several rows touch rows below the last.
+inline constexpr int kSurfacePadding = 3 * kTileWidth + kTilePadding;
+
+struct TileGrid {
+  int frame_width = 0;
+  int frame_height = 0;
+  int columns = 0;
+  int rows = 0;
+
+  TileGrid(int width, int height)
+      : frame_width(width),
+        frame_height(height),
+        columns((width + kTileWidth - 1) / kTileWidth),
+        rows((height + kTileHeight - 1) / kTileHeight) {}
+  int count() const { return columns * rows; }
+};
 
 /// Half-open box of pixels (or tiles).
 struct PixelBox {

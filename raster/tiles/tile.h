@@ -10,7 +10,6 @@
 #include "raster/tiles/binning.h"
 #include "raster/tiles/framebuffer.h"
 #include "raster/tiles/raster_statistics.h"
-#include "raster/tiles/tile_grid.h"
 
 namespace barrido::raster {
 
@@ -74,6 +73,11 @@ struct LodGroups {
 
 /// Groups that `count` pixels from column x on come from.
 constexpr int lod_groups_in(int x, int count) { return ((x + count - 1) >> 2) - (x >> 2) + 1; }
+
+/// What a loop over small triangles has done.
+struct LoopCounts {
+  std::uint64_t spans = 0, covered = 0, shaded = 0;
+};
 
 /// 1/w of a fragment counts as at least this.
 inline constexpr float kSmallestQ = 1e-30f;
