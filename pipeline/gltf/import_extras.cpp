@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/gltf/import_parts.h"
+#include "raster/names.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -62,10 +63,7 @@ void read_light(const Report& report, const json& from, const std::string& place
 raster::FogState fog_of(const json& from) {
   raster::FogState fog;
   fog.enabled = true;
-  const std::string mode = from["mode"].get<std::string>();
-  fog.mode = mode == "linear" ? raster::FogMode::linear
-             : mode == "exp2" ? raster::FogMode::exp2
-                              : raster::FogMode::exp;
+  fog.mode = value_named<raster::FogMode>(from["mode"].get<std::string>()).value_or(raster::FogMode::exp);
   fog.density = to_float(from.value("density", double{fog.density}));
   fog.start = to_float(from.value("start", double{fog.start}));
   fog.end = to_float(from.value("end", double{fog.end}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gltf/import_parts.h"
+#include "pipeline/scene/names.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene::gltf {
@@ -42,8 +43,7 @@ void read_orthographic(Import& import, const tinygltf::OrthographicCamera& sourc
 }
 
 Light::Kind light_kind(const std::string& type) {
-  if (type == "point") return Light::Kind::point;
-  return type == "spot" ? Light::Kind::spot : Light::Kind::directional;
+  return value_named<Light::Kind>(type).value_or(Light::Kind::directional);
 }
 
 void read_cone(Import& import, const tinygltf::SpotLight& source, Light& light) {

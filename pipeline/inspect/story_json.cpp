@@ -131,12 +131,12 @@ Json unit_json(const UnitTrace& unit, const TextureStory& texture, const raster:
 Json fate_json(const FragmentStory& f) {
   const raster::reference::FateTrace& fate = f.trace.fate;
   Json json;
-  json["alpha_test"] = f.state.alpha_test.enabled ? Json{{"compare", sign_of(f.state.alpha_test.compare)},
+  json["alpha_test"] = f.state.alpha_test.enabled ? Json{{"compare", name_of(f.state.alpha_test.compare)},
                                                          {"reference", f.state.alpha_test.reference},
                                                          {"passed", fate.alpha_passed}}
                                                   : Json(nullptr);
   json["depth_test"] = f.state.depth.test ? Json{{"z", f.trace.depth},
-                                                 {"compare", sign_of(f.state.depth.compare)},
+                                                 {"compare", name_of(f.state.depth.compare)},
                                                  {"stored", fate.depth_before},
                                                  {"passed", fate.depth_passed},
                                                  {"stored_after", fate.depth_after}}

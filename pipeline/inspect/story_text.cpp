@@ -16,17 +16,17 @@ std::string fate_words(const FragmentStory& f) {
     case Fate::visible:
       return "visible: z " + number(f.trace.depth) +
              (f.state.depth.test
-                  ? " " + std::string(sign_of(f.state.depth.compare)) + " " + number(fate.depth_before)
+                  ? " " + std::string(name_of(f.state.depth.compare)) + " " + number(fate.depth_before)
                   : "") +
              (f.state.blend.enabled ? ", blended" : "");
     case Fate::covered:
       return "drawn, then covered: z " + number(f.trace.depth);
     case Fate::hidden:
-      return "hidden: z " + number(f.trace.depth) + " is not " + std::string(sign_of(f.state.depth.compare)) +
+      return "hidden: z " + number(f.trace.depth) + " is not " + std::string(name_of(f.state.depth.compare)) +
              " " + number(fate.depth_before);
     case Fate::cut_out:
       return "cut out: alpha " + number(f.trace.shading.color[3]) + " is not " +
-             std::string(sign_of(f.state.alpha_test.compare)) + " " + number(f.state.alpha_test.reference);
+             std::string(name_of(f.state.alpha_test.compare)) + " " + number(f.state.alpha_test.reference);
     case Fate::scissored:
       break;
   }

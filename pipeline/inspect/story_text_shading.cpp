@@ -211,13 +211,13 @@ void tell_fate(const FragmentStory& f, Lines& lines) {
   const auto& fate = f.trace.fate;
   if (f.state.alpha_test.enabled) {
     lines.add(1, "Alpha test: " + number(f.trace.shading.color[3]) + " " +
-                     std::string(sign_of(f.state.alpha_test.compare)) + " " +
+                     std::string(name_of(f.state.alpha_test.compare)) + " " +
                      number(f.state.alpha_test.reference) + (fate.alpha_passed ? ": passed" : ": failed"));
   }
   if (!fate.alpha_passed) return;
   if (f.state.depth.test) {
     lines.add(1, "Depth test: z " + number(f.trace.depth) + " " +
-                     std::string(sign_of(f.state.depth.compare)) + " " + number(fate.depth_before) +
+                     std::string(name_of(f.state.depth.compare)) + " " + number(fate.depth_before) +
                      (fate.depth_passed ? ": passed" : ": failed") +
                      (fate.depth_passed && !f.state.depth.write ? ", z is not written" : ""));
   }

@@ -14,21 +14,18 @@
 namespace barrido::inspect {
 namespace {
 
-struct Naming {
-  std::string_view name, description;
-};
-
-constexpr std::array<Naming, kStructureViewCount> kNames{
-    {{"overdraw", "how often each pixel is shaded, in drawing order"},
-     {"layers", "triangles that cover each pixel, hidden ones too"},
-     {"illuminations", "light evaluations, where they are made"},
-     {"texels", "texels read for each pixel, in drawing order"},
-     {"mip-level", "mip level of the visible picture"},
-     {"mip-colors", "a colour for each mip level"},
-     {"triangles", "a colour for each visible triangle"},
-     {"depth", "distance from the eye along the line of sight"},
-     {"normals", "normal as it is lit, in eye space"},
-     {"mach-bands", "second derivative of brightness, in 1/255"}}};
+/// In the order of the enumeration.
+constexpr std::array<std::string_view, kStructureViewCount> kDescriptions{
+    "how often each pixel is shaded, in drawing order",
+    "triangles that cover each pixel, hidden ones too",
+    "light evaluations, where they are made",
+    "texels read for each pixel, in drawing order",
+    "mip level of the visible picture",
+    "a colour for each mip level",
+    "a colour for each visible triangle",
+    "distance from the eye along the line of sight",
+    "normal as it is lit, in eye space",
+    "second derivative of brightness, in 1/255"};
 
 /// Shows the frame to a function, and does not have it drawn.
 class Onlooker final : public scene::FrameObserver {
@@ -102,18 +99,7 @@ std::uint32_t pixel_of(const ViewValues& values, std::size_t i) {
 
 }  // namespace
 
-std::string_view name_of(StructureView view) { return kNames[static_cast<std::size_t>(view)].name; }
-
-std::optional<StructureView> structure_view_of(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i].name == name) return static_cast<StructureView>(i);
-  }
-  return std::nullopt;
-}
-
-std::string_view description_of(StructureView view) {
-  return kNames[static_cast<std::size_t>(view)].description;
-}
+std::string_view description_of(StructureView view) { return kDescriptions[static_cast<std::size_t>(view)]; }
 
 ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
                         StructureView view) {

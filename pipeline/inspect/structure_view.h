@@ -6,13 +6,13 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pipeline/inspect/view_colors.h"
 #include "pipeline/scene/render_scene.h"
+#include "raster/base/enum_names.h"
 
 namespace barrido::inspect {
 
@@ -28,11 +28,28 @@ enum class StructureView : std::uint8_t {
   normals,        ///< Normal with which the visible surface is lit, in eye space.
   mach_bands,     ///< Second derivative of the frame's brightness: light bands and dark bands.
 };
-inline constexpr int kStructureViewCount = 10;
+}  // namespace barrido::inspect
 
-/// "overdraw", "mip-level", "mach-bands" …: as on the command line.
-std::string_view name_of(StructureView view);
-std::optional<StructureView> structure_view_of(std::string_view name);
+namespace barrido {
+
+template <>
+inline constexpr auto kNames<inspect::StructureView> = std::to_array<Named<inspect::StructureView>>(
+    {{inspect::StructureView::overdraw, "overdraw"},
+     {inspect::StructureView::layers, "layers"},
+     {inspect::StructureView::illuminations, "illuminations"},
+     {inspect::StructureView::texels, "texels"},
+     {inspect::StructureView::mip_level, "mip-level"},
+     {inspect::StructureView::mip_colors, "mip-colors"},
+     {inspect::StructureView::triangles, "triangles"},
+     {inspect::StructureView::depth, "depth"},
+     {inspect::StructureView::normals, "normals"},
+     {inspect::StructureView::mach_bands, "mach-bands"}});
+
+}  // namespace barrido
+
+namespace barrido::inspect {
+
+inline constexpr int kStructureViewCount = static_cast<int>(kNames<StructureView>.size());
 
 /// One sentence a view, for help and panels.
 std::string_view description_of(StructureView view);

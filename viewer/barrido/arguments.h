@@ -4,13 +4,19 @@
 
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "viewer/barrido/usage_error.h"
-
 namespace barrido::cli {
+
+/// A command line that cannot be obeyed. what() is the whole message on one line, without the program's name:
+/// "--resolution: '0,5': expected W,H, two whole numbers in 1..16384".
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// How often an option may come, and with what.
 enum class OptionKind {
@@ -18,6 +24,14 @@ enum class OptionKind {
   value,           ///< One value, once.
   repeatable,      ///< One value each time.
   optional_value,  ///< `--name` or `--name=value`.
+};
+
+/// What an option is about.
+enum class OptionScope {
+  picture,  ///< How a picture looks: a setting, which the window and `inspect` take too.
+  drawing,  ///< A setting that `inspect` does not take: what it tells is not of the pictures it makes.
+  call,     ///< How the program runs: no setting, but `inspect` takes it.
+  output,   ///< What becomes of frames, or asks for several: of `render` only.
 };
 
 /// Syntax and help of an option, without what it does.
@@ -28,6 +42,10 @@ struct OptionSyntax {
   OptionKind kind = OptionKind::value;
   std::string_view form;  ///< Of the value, for the help: "W,H".
   std::string_view help;  ///< Sentences; broken into lines by the help.
+  OptionScope scope = OptionScope::call;
+
+  /// Whether it describes a picture and has its place in a settings file.
+  bool is_setting() const { return scope == OptionScope::picture || scope == OptionScope::drawing; }
 };
 
 struct GivenOption {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "pipeline/names.h"
 #include "viewer/barrido/cost_report.h"
-#include "viewer/barrido/render_options.h"
 
 namespace barrido::cli {
 namespace {
@@ -62,8 +62,7 @@ Json frame_json(const FrameCost& frame) {
 
 Json modes_json(const CostReport& report) {
   Json modes = Json::object();
-  for (int mode = 0; mode < pipeline::kShadeModelCount; ++mode) {
-    const auto shading = static_cast<pipeline::ShadeModel>(mode);
+  for (const auto& [shading, name, title] : names_of<pipeline::ShadeModel>()) {
     std::uint64_t frames = 0;
     double draw_ms = 0.0;
     CourseCounts sum;
@@ -78,7 +77,7 @@ Json modes_json(const CostReport& report) {
     json["frames"] = frames;
     json["draw_ms"] = draw_ms;
     json["per_frame"] = per(sum, frames);
-    modes[std::string(name_of(shading))] = std::move(json);
+    modes[std::string(name)] = std::move(json);
   }
   return modes;
 }

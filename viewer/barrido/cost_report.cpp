@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "viewer/barrido/render_options.h"
+#include "pipeline/names.h"
 #include "viewer/barrido/text_format.h"
 
 namespace barrido::cli {

@@ -3,12 +3,24 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <string>
 #include <vector>
 
 #include "pipeline/renderer.h"
 
 namespace barrido::cli {
+
+/// Time since it was made, by the steady clock.
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 struct FrameCost {
   std::string name;  ///< As in --hash: file name, or "teapot/phong" where the frame has no file.

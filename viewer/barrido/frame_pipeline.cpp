@@ -6,6 +6,8 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include "viewer/sheet/sha256.h"
+
 namespace barrido::cli {
 namespace {
 
@@ -21,7 +23,21 @@ void guarded(FrameInFlight& frame, const Stage& stage) {
   }
 }
 
+/// The pixels as bytes; their order in memory is R, G, B, A on every machine.
+std::span<const std::uint8_t> bytes_of_colors(const raster::Framebuffer& framebuffer) {
+  const auto& colors = framebuffer.color8();
+  return {reinterpret_cast<const std::uint8_t*>(colors.data()), colors.size() * 4};
+}
+
 }  // namespace
+
+scene::ImageView view_of(const raster::Framebuffer& framebuffer) {
+  return {framebuffer.width(), framebuffer.height(), bytes_of_colors(framebuffer), framebuffer.color_float()};
+}
+
+std::string pixel_hash(const raster::Framebuffer& framebuffer) {
+  return sheet::sha256_hex(bytes_of_colors(framebuffer));
+}
 
 void run_frames(std::size_t count, std::size_t in_flight, const FrameStages& stages) {
   std::size_t next = 0;

@@ -7,8 +7,10 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "pipeline/pictures/image_io.h"
 #include "raster/tiles/framebuffer.h"
 #include "viewer/barrido/cost_report.h"
 #include "viewer/barrido/frame_plan.h"
@@ -23,6 +25,12 @@ struct FrameInFlight {
   FrameCost cost;
   std::exception_ptr error;  ///< Set when a stage failed; later stages pass the frame on.
 };
+
+/// The frame's colours as a picture to be written; the framebuffer must outlive it.
+scene::ImageView view_of(const raster::Framebuffer& framebuffer);
+
+/// SHA-256 of the 8-bit RGBA pixels, top row first, as 64 lower-case hexadecimal digits.
+std::string pixel_hash(const raster::Framebuffer& framebuffer);
 
 struct FrameStages {
   std::function<void(std::size_t index, FrameInFlight&)> draw;  ///< In order, one at a time.

@@ -1,7 +1,9 @@
-// Which frames a call of `barrido render` makes, in which order and under which names. Enters: the options
-// and a few facts of a loaded file; leaves: a list. Draws and writes nothing.
+// Which frames a call of `barrido render` makes, in which order and under which names, and what the renderer
+// is given for each. Enters: the options and a few facts of a loaded file; leaves: a list, and settings. Draws
+// and writes nothing.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +50,17 @@ std::string sheet_name(const RenderOptions& options);
 
 /// The settings for one frame; `base` are those of the call, with colours and environment resolved.
 scene::RenderSettings settings_of(const scene::RenderSettings& base, const PlannedFrame& frame);
+
+/// What the renderer looks at; pictures for other uses need not be decoded.
+extern const unsigned kDrawnImages;
+
+/// Colours are passed as they are to be seen: the renderer undoes its own display transform. The environment
+/// is left out, and what differs from frame to frame.
+scene::RenderSettings resolved_settings(const RenderOptions& options);
+
+/// The cube map of --environment PATH; null where none was asked for. @throws scene::InputError.
+std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options,
+                                                        scene::Budget* budget = nullptr);
 
 /// File name without folder and extension.
 std::string model_name(const std::string& path);

@@ -1,7 +1,7 @@
 #include "viewer/barrido/frame_sheet.h"
 
 #include "pipeline/pictures/image_io.h"
-#include "viewer/barrido/frame_output.h"
+#include "viewer/barrido/frame_pipeline.h"
 #include "viewer/barrido/standard_streams.h"
 #include "viewer/sheet/sheet.h"
 

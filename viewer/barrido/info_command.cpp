@@ -9,6 +9,7 @@
 #include "viewer/barrido/info_validate.h"
 #include "viewer/barrido/scene_summary.h"
 #include "viewer/barrido/standard_streams.h"
+#include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {

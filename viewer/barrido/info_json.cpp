@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "pipeline/scene/names.h"
 #include "viewer/barrido/scene_summary.h"
 
 namespace barrido::cli {
@@ -35,10 +36,9 @@ Json camera_json(const scene::Scene& scene, int node_index) {
 Json light_json(const scene::Scene& scene, int node_index) {
   const scene::Node& node = scene.nodes[static_cast<std::size_t>(node_index)];
   const scene::Light& light = scene.lights[static_cast<std::size_t>(node.light)];
-  constexpr const char* kKinds[] = {"directional", "point", "spot"};
   Json json{{"name", light.name},
             {"node", node_index},
-            {"type", kKinds[static_cast<std::size_t>(light.kind)]},
+            {"type", name_of(light.kind)},
             {"color", array_of(light.color)},
             {"intensity", light.intensity}};
   if (light.exact_intensity) json["exact_intensity"] = *light.exact_intensity;

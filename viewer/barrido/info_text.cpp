@@ -1,3 +1,4 @@
+#include "pipeline/scene/names.h"
 #include "raster/base/portable_math.h"
 #include "viewer/barrido/scene_summary.h"
 #include "viewer/barrido/standard_streams.h"
@@ -41,11 +42,8 @@ std::string camera_text(const scene::Camera& camera) {
 }
 
 std::string light_text(const scene::Light& light) {
-  const char* kind = light.kind == scene::Light::Kind::directional ? "directional"
-                     : light.kind == scene::Light::Kind::point     ? "point"
-                                                                   : "spot";
   const char* unit = light.kind == scene::Light::Kind::directional ? " lux" : " candela";
-  return std::string(kind) + ", " +
+  return std::string(name_of(light.kind)) + ", " +
          (light.exact_intensity ? "intensity " + shortest(*light.exact_intensity)
                                 : shortest(light.intensity) + unit) +
          ", colour " + point(light.color);

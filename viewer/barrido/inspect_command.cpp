@@ -9,7 +9,6 @@
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
 #include "viewer/barrido/frame_plan.h"
-#include "viewer/barrido/frame_settings.h"
 #include "viewer/barrido/help.h"
 #include "viewer/barrido/inspect_options.h"
 #include "viewer/barrido/standard_streams.h"

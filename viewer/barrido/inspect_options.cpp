@@ -1,38 +1,34 @@
 #include "viewer/barrido/inspect_options.h"
 
-#include <algorithm>
-#include <array>
-
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {
 
-/// Options of render that say what becomes of frames, or ask for several.
-constexpr std::string_view kOfRenderOnly[] = {
-    "--output", "--sheet", "--compression",      "--hash", "--stats", "--turntable",
-    "--frames", "--fps",   "--visibility-first", "--view"};
-
 constexpr std::size_t kPixel = 0, kJson = 1;
 
-void nothing(RenderOptions&, std::string_view) {}
+/// Read after all others, as the pixel lies in their frame.
+void leave_for_later(const RenderOption&, RenderOptions&, std::string_view) {}
+
+RenderOption own_option(const OptionSyntax& syntax) {
+  RenderOption option{syntax, {}, {}};
+  option.value.read = leave_for_later;
+  return option;
+}
 
 const std::vector<RenderOption>& inspect_table() {
   static const std::vector<RenderOption> table = [] {
     std::vector<RenderOption> options{
-        {{"Pixel", "--pixel", "-p", OptionKind::value, "X,Y",
-          "The pixel, counted from the upper left one, which is 0,0, as in picture files."},
-         nothing},
-        {{"Pixel", "--json", "", OptionKind::flag, "",
-          "As JSON, for programs; docs/inspect.md describes it."},
-         nothing}};
+        own_option({"Pixel", "--pixel", "-p", OptionKind::value, "X,Y",
+                    "The pixel, counted from the upper left one, which is 0,0, as in picture files."}),
+        own_option({"Pixel", "--json", "", OptionKind::flag, "",
+                    "As JSON, for programs; docs/inspect.md describes it."})};
     for (const RenderOption& option : render_option_table()) {
-      const auto& names = kOfRenderOnly;
-      if (std::find(std::begin(names), std::end(names), option.syntax.name) == std::end(names)) {
-        options.push_back(option);
-        if (option.syntax.section == "Output") options.back().syntax.section = "Frame";
-      }
+      const OptionScope scope = option.syntax.scope;
+      if (scope != OptionScope::picture && scope != OptionScope::call) continue;
+      options.push_back(option);
+      if (option.syntax.section == "Output") options.back().syntax.section = "Frame";
     }
     return options;
   }();

@@ -1,187 +1,177 @@
-#include "viewer/barrido/light_spec.h"
-
+// A light from its text and back.
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 
 #include "pipeline/scene/light_conversion.h"
+#include "pipeline/scene/names.h"
 #include "raster/base/portable_math.h"
-#include "viewer/barrido/values.h"
+#include "viewer/barrido/spec_keys.h"
+#include "viewer/barrido/specs.h"
+#include "viewer/barrido/text_format.h"
 
 namespace barrido::cli {
 namespace {
 
 using scene::UserLight;
 using Kind = scene::Light::Kind;
+using Text = std::string_view;
 
 constexpr double kLargestIntensity = 1e6;
+constexpr SpecWords kWords{"TYPE:KEY=VALUE:...", "this light"};
 
-enum class Type { key, fill, back, directional, point, spot };
+/// Kinds of light to which a key belongs.
+constexpr unsigned bit(Kind kind) { return 1u << static_cast<unsigned>(kind); }
+constexpr unsigned kAny = ~0u, kSpot = bit(Kind::spot), kPlaced = bit(Kind::point) | kSpot,
+                   kAimed = bit(Kind::directional) | kSpot;
 
-constexpr std::array<Choice<Type>, 6> kTypes{{{"key", Type::key},
-                                              {"fill", Type::fill},
-                                              {"back", Type::back},
-                                              {"directional", Type::directional},
-                                              {"point", Type::point},
-                                              {"spot", Type::spot}}};
+/// The three lights of the set-up that a scene without lights gets (V2), in its order.
+constexpr std::array<Text, 3> kPresets{"key", "fill", "back"};
 
-constexpr std::array<Choice<UserLight::Space>, 2> kSpaces{
-    {{"world", UserLight::Space::world}, {"camera", UserLight::Space::camera}}};
+constexpr std::array<float, 3> kNoAttenuation{1.0f, 0.0f, 0.0f};
 
-/// Kinds of light to which a key belongs, as bits.
-enum KindBits : unsigned { kDirectional = 1, kPoint = 2, kSpot = 4, kPlaced = kPoint | kSpot, kAny = 7 };
+float radians_of(double degrees) { return static_cast<float>(radians(degrees)); }
 
-unsigned bits_of(Kind kind) {
-  return kind == Kind::directional ? kDirectional : kind == Kind::point ? kPoint : kSpot;
+/// Degrees in [0, 90] that become these radians.
+float degrees_of(float radians_wanted) {
+  float best = static_cast<float>(static_cast<double>(radians_wanted) * (180.0 / kPi));
+  float below = best, above = best;
+  for (int step = 0; step < 4 && radians_of(best) != radians_wanted; ++step) {
+    below = std::nextafter(below, 0.0f);
+    above = std::nextafter(above, 91.0f);
+    if (radians_of(below) == radians_wanted) best = below;
+    if (radians_of(above) == radians_wanted) best = above;
+  }
+  return std::clamp(best, 0.0f, 90.0f);
 }
 
-glm::vec3 vector_of(const std::array<float, 3>& values) { return {values[0], values[1], values[2]}; }
-
-glm::vec3 parse_direction(std::string_view text) {
-  const glm::vec3 direction = vector_of(parse_tuple<3>(text, "X,Y,Z", -kAnyNumber, kAnyNumber));
-  if (direction == glm::vec3(0.0f)) throw ValueError("expected a direction, not 0,0,0");
-  return direction;
+/// The shortest number of degrees that becomes these radians when it is read as a double.
+std::string degrees_text(float radians_wanted) {
+  const std::string text = shortest(degrees_of(radians_wanted));
+  double degrees = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), degrees);
+  if (radians_of(degrees) == radians_wanted) return text;
+  return shortest_double(std::min(static_cast<double>(radians_wanted) * (180.0 / kPi), 90.0));
 }
 
-void set_attenuation(UserLight& user, std::string_view text) {
+void read_attenuation(UserLight& user, Text text) {
   const auto attenuation = parse_tuple<3>(text, "KC,KL,KQ", 0.0, kAnyNumber);
   if (attenuation == std::array<float, 3>{}) throw ValueError("expected KC,KL,KQ, not all of them 0");
   user.light.attenuation = attenuation;
 }
 
-void set_cone(UserLight& user, std::string_view text) {
-  const auto angles = parse_tuple<2>(text, "INNER,OUTER", 0.0, 90.0);
-  if (angles[0] > angles[1]) throw ValueError("expected INNER,OUTER with INNER not above OUTER");
-  user.light.inner_cone_rad = static_cast<float>(radians(angles[0]));
-  user.light.outer_cone_rad = static_cast<float>(radians(angles[1]));
+std::string attenuation_text(const UserLight& user) {
+  const std::array<float, 3> k = user.light.attenuation.value_or(kNoAttenuation);
+  return k == kNoAttenuation ? "" : shortest(glm::vec3(k[0], k[1], k[2]));
+}
+
+void read_cone(UserLight& user, Text text) {
+  const auto [inner, outer] = parse_tuple<2>(text, "INNER,OUTER", 0.0, 90.0);
+  if (inner > outer) throw ValueError("expected INNER,OUTER with INNER not above OUTER");
+  user.light.inner_cone_rad = radians_of(inner);
+  user.light.outer_cone_rad = radians_of(outer);
   user.light.spot_exponent.reset();
 }
 
-void set_cutoff(UserLight& user, std::string_view text) {
-  user.light.outer_cone_rad = static_cast<float>(radians(parse_number(text, 0.0, 90.0)));
+std::string cone_text(const UserLight& user) {
+  if (user.light.spot_exponent) return "";
+  const float outer = degrees_of(user.light.outer_cone_rad);
+  return shortest(std::min(degrees_of(user.light.inner_cone_rad), outer)) + "," + shortest(outer);
 }
 
-struct Key {
-  std::string_view name;
-  unsigned kinds;
-  void (*apply)(UserLight& user, std::string_view text);
+void read_color(UserLight& user, Text text) {
+  const auto [r, g, b] = parse_tuple<3>(text, "R,G,B", 0.0, kLargestIntensity);
+  user.light.color = {r, g, b};
+}
+
+void read_intensity(UserLight& user, Text text) {
+  user.light.exact_intensity = static_cast<float>(parse_number(text, -kLargestIntensity, kLargestIntensity));
+}
+
+std::string text_unless(float number, float standard) { return number == standard ? "" : shortest(number); }
+
+constexpr SpecKey<UserLight> kKeys[] = {
+    {"color", kAny, read_color,
+     [](const UserLight& user) {
+       return user.light.color == glm::vec3(1.0f) ? std::string() : shortest(user.light.color);
+     }},
+    {"intensity", kAny, read_intensity,
+     [](const UserLight& user) { return text_unless(user.light.exact_intensity.value_or(1.0f), 1.0f); }},
+    {"dir", kAimed, [](UserLight& user, Text text) { user.direction = parse_direction(text); },
+     [](const UserLight& user) { return shortest(user.direction); }},
+    {"pos", kPlaced, [](UserLight& user, Text text) { user.position = parse_point(text); },
+     [](const UserLight& user) { return shortest(user.position); }},
+    {"attenuation", kPlaced, read_attenuation, attenuation_text},
+    {"range", kPlaced,
+     [](UserLight& user, Text text) {
+       user.light.range = static_cast<float>(parse_number(text, 0.0, kAnyNumber));
+     },
+     [](const UserLight& user) { return text_unless(user.light.range, 0.0f); }},
+    {"cone", kSpot, read_cone, cone_text},
+    {"cutoff", kSpot,
+     [](UserLight& user, Text text) {
+       user.light.outer_cone_rad = radians_of(parse_number(text, 0.0, 90.0));
+     },
+     [](const UserLight& user) {
+       return user.light.spot_exponent ? degrees_text(user.light.outer_cone_rad) : std::string();
+     }},
+    {"exponent", kSpot,
+     [](UserLight& user, Text text) {
+       user.light.spot_exponent = static_cast<float>(parse_number(text, 0.0, 1e6));
+     },
+     [](const UserLight& user) { return text_unless(user.light.spot_exponent.value_or(0.0f), 0.0f); }},
+    {"space", kAny,
+     [](UserLight& user, Text text) { user.space = parse_name<UserLight::Space>(text); },
+     [](const UserLight& user) {
+       return user.space == UserLight::Space::world ? std::string() : std::string(name_of(user.space));
+     }},
 };
 
-constexpr std::array<Key, 10> kKeys{{
-    {"color", kAny,
-     [](UserLight& user, std::string_view text) {
-       user.light.color = vector_of(parse_tuple<3>(text, "R,G,B", 0.0, kLargestIntensity));
-     }},
-    {"intensity", kAny,
-     [](UserLight& user, std::string_view text) {
-       user.light.exact_intensity =
-           static_cast<float>(parse_number(text, -kLargestIntensity, kLargestIntensity));
-     }},
-    {"dir", kDirectional | kSpot,
-     [](UserLight& user, std::string_view text) { user.direction = parse_direction(text); }},
-    {"pos", kPlaced,
-     [](UserLight& user, std::string_view text) {
-       user.position = vector_of(parse_tuple<3>(text, "X,Y,Z", -kAnyNumber, kAnyNumber));
-     }},
-    {"attenuation", kPlaced, set_attenuation},
-    {"range", kPlaced,
-     [](UserLight& user, std::string_view text) {
-       user.light.range = static_cast<float>(parse_number(text, 0.0, kAnyNumber));
-     }},
-    {"cone", kSpot, set_cone},
-    {"cutoff", kSpot, set_cutoff},
-    {"exponent", kSpot,
-     [](UserLight& user, std::string_view text) {
-       user.light.spot_exponent = static_cast<float>(parse_number(text, 0.0, 1e6));
-     }},
-    {"space", kAny, [](UserLight& user, std::string_view text) { user.space = parse_choice(text, kSpaces); }},
-}};
-
-/// One of the three lights that a scene without lights gets (V2); it moves with the camera.
-UserLight preset(Type type) {
-  const pipeline::Light light = scene::three_light_setup()[static_cast<std::size_t>(type)];
+/// A light with nothing but its type. @throws ValueError.
+UserLight start(Text type) {
+  std::vector<Text> types(kPresets.begin(), kPresets.end());
+  for (const Named<Kind>& kind : names_of<Kind>()) types.push_back(kind.name);
   UserLight user;
-  user.space = UserLight::Space::camera;
-  user.light.kind = Kind::directional;
-  user.light.exact_intensity = light.diffuse.x;
-  user.direction = -glm::vec3(light.position);
-  return user;
-}
-
-UserLight start(Type type) {
-  UserLight user;
-  switch (type) {
-    case Type::key:
-    case Type::fill:
-    case Type::back:
-      return preset(type);
-    case Type::directional:
-      user.light.kind = Kind::directional;
-      break;
-    case Type::point:
-      user.light.kind = Kind::point;
-      break;
-    case Type::spot:
-      user.light.kind = Kind::spot;
-      break;
+  const auto preset = std::find(kPresets.begin(), kPresets.end(), type);
+  if (preset != kPresets.end()) {
+    const pipeline::Light light =
+        scene::three_light_setup()[static_cast<std::size_t>(preset - kPresets.begin())];
+    user.space = UserLight::Space::camera;
+    user.light.kind = Kind::directional;
+    user.light.exact_intensity = light.diffuse.x;
+    user.direction = -glm::vec3(light.position);
+    return user;
   }
+  const std::optional<Kind> kind = value_named<Kind>(type);
+  if (!kind) throw ValueError("expected " + one_of(types) + did_you_mean(type, types));
+  user.light.kind = *kind;
   user.light.exact_intensity = 1.0f;
-  if (type != Type::directional) user.light.attenuation = std::array<float, 3>{1.0f, 0.0f, 0.0f};
+  if (*kind != Kind::directional) user.light.attenuation = kNoAttenuation;
   // Without a soft cone a spot is OpenGL's: a hard edge at the cut-off, cosθ^exponent inside.
-  if (type == Type::spot) user.light.spot_exponent = 0.0f;
+  if (*kind == Kind::spot) user.light.spot_exponent = 0.0f;
   return user;
 }
 
-/// The keys of this kind of light.
-std::vector<std::string_view> keys_for(unsigned kind) {
-  std::vector<std::string_view> names;
-  for (const Key& key : kKeys) {
-    if ((key.kinds & kind) != 0) names.push_back(key.name);
-  }
-  return names;
-}
-
-const Key& find_key(std::string_view name, unsigned kind) {
-  for (const Key& key : kKeys) {
-    if (key.name == name && (key.kinds & kind) != 0) return key;
-  }
-  const auto names = keys_for(kind);
-  throw ValueError("'" + std::string(name) + "' is no key of this light: expected " + one_of(names) +
-                   did_you_mean(name, names));
-}
-
-void apply_pair(UserLight& user, std::string_view pair, std::vector<std::string_view>& given) {
-  const std::size_t equals = pair.find('=');
-  if (equals == std::string_view::npos) {
-    throw ValueError("expected TYPE:KEY=VALUE:..., but '" + std::string(pair) + "' has no '='");
-  }
-  const std::string_view name = pair.substr(0, equals);
-  const Key& key = find_key(name, bits_of(user.light.kind));
-  if (std::find(given.begin(), given.end(), name) != given.end()) {
-    throw ValueError(std::string(name) + " is given twice");
-  }
-  given.push_back(name);
-  try {
-    key.apply(user, pair.substr(equals + 1));
-  } catch (const ValueError& error) {
-    throw ValueError(std::string(name) + ": " + error.what());
-  }
-}
-
-bool holds(const std::vector<std::string_view>& names, std::string_view name) {
+bool holds(const std::vector<Text>& names, Text name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
 
 scene::UserLight parse_light(std::string_view spec) {
-  const std::vector<std::string_view> pieces = split(spec, ':');
-  UserLight user = start(parse_choice(pieces[0], kTypes));
-  std::vector<std::string_view> given;
-  for (std::size_t i = 1; i < pieces.size(); ++i) apply_pair(user, pieces[i], given);
+  const std::vector<Text> pieces = split(spec, ':');
+  UserLight user = start(pieces[0]);
+  const std::span<const Text> pairs(pieces.begin() + 1, pieces.end());
+  const std::vector<Text> given = read_keys<UserLight>(user, pairs, kKeys, kWords, bit(user.light.kind));
   if (holds(given, "cone") && (holds(given, "cutoff") || holds(given, "exponent"))) {
     throw ValueError("cone (soft) and cutoff or exponent (hard) exclude each other");
   }
   return user;
+}
+
+std::string light_text(const UserLight& user) {
+  return write_keys<UserLight>(name_of(user.light.kind), user, kKeys, bit(user.light.kind));
 }
 
 }  // namespace barrido::cli

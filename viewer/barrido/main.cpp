@@ -13,7 +13,6 @@
 #include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/spelling.h"
 #include "viewer/barrido/standard_streams.h"
-#include "viewer/barrido/usage_error.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/barrido/usage_error.h"
+#include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 

@@ -1,6 +1,7 @@
 #include "viewer/barrido/render_call.h"
 
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,9 @@
 #include "pipeline/scene/scene_nodes.h"
 #include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
-#include "viewer/barrido/frame_output.h"
-#include "viewer/barrido/frame_settings.h"
+#include "viewer/barrido/help.h"
 #include "viewer/barrido/process_guard.h"
-#include "viewer/barrido/stopwatch.h"
+#include "viewer/barrido/standard_streams.h"
 #include "viewer/sheet/view_picture.h"
 
 namespace barrido::cli {
@@ -239,6 +239,24 @@ void make_parent_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw scene::InputError(path, "", "cannot make its folder: " + error.message());
+}
+
+int run_render(std::span<const std::string> words) {
+  const RenderOptions options = parse_render_options(words);
+  if (options.help) {
+    write_standard_output(bytes_of(render_help()));
+    return kExitFine;
+  }
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
+  raster::set_simd_target(options.simd);  // That it is available was checked with the option.
+  ConsoleOptions console_options;
+  console_options.quiet = options.quiet;
+  console_options.is_terminal = isatty(kStandardError) == 1;
+  Console console(console_options);
+  return RenderCall(options, console).run();
 }
 
 }  // namespace barrido::cli

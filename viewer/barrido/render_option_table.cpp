@@ -1,232 +1,287 @@
 #include "viewer/barrido/render_option_table.h"
 
 #include <array>
+#include <stdexcept>
 
-#include "viewer/barrido/light_spec.h"
-#include "viewer/barrido/material_spec.h"
+#include "viewer/barrido/option_fields.h"
 #include "viewer/barrido/render_values.h"
-#include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {
 
 using Options = RenderOptions;
-using Text = std::string_view;
+using Settings = scene::RenderSettings;
+using Camera = scene::CameraChoice;
+using scene::Overlays;
 
-constexpr auto kFlag = OptionKind::flag;
-constexpr auto kValue = OptionKind::value;
+constexpr auto kPicture = OptionScope::picture;
+constexpr auto kDrawing = OptionScope::drawing;
+constexpr auto kCall = OptionScope::call;
+constexpr auto kOutput = OptionScope::output;
 
-constexpr RenderOption kOutput[] = {
-    {{"Output", "--output", "-o", kValue, "OUT",
-      "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard output (PNG). May "
-      "hold "
-      "{model} {shading} {camera} {frame} {frame:04} {view}; {{ is a brace. Folders that are missing are "
-      "made. May "
-      "be "
-      "left out with --hash or --stats."},
-     [](Options& o, Text text) { o.output = text; }},
-    {{"Output", "--resolution", "", kValue, "W,H", "Size in pixels, each in 1..16384. Default 1280,720."},
-     set_resolution},
-    {{"Output", "--view", "", kValue, "LIST",
-      "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
-      "layers, "
-      "illuminations, texels, mip-level, mip-colors, triangles, depth, normals or mach-bands; several with "
-      "commas between (picture is the picture itself), or all; a frame for each."},
-     set_views},
-    {{"Output", "--sheet", "", kFlag, "", "All frames of the call in one picture, each with its name."},
-     [](Options& o, Text) { o.sheet = true; }},
-    {{"Output", "--compression", "", kValue, "N", "Of PNG, 0 (none) to 9 (smallest). Default 1."},
-     [](Options& o, Text text) { o.png_compression = parse_whole(text, 0, 9); }},
-    {{"Output", "--hash", "", kFlag, "",
-      "Print the SHA-256 of each frame's pixels (8-bit RGBA, top row first) and its name, a line a frame; on "
-      "standard error where standard output holds the picture."},
-     [](Options& o, Text) { o.hash = true; }},
-    {{"Output", "--stats", "", OptionKind::optional_value, "text|json",
-      "Print times, and what each shading mode did: illuminations, interpolations, additions and powers per "
-      "frame, polygon and scanline. Default text."},
-     set_stats},
-    {{"Output", "--quiet", "", kFlag, "", "No warnings and no progress; errors are still told."},
-     [](Options& o, Text) { o.quiet = true; }},
+constexpr RenderOption option(std::string_view name, std::string_view form, OptionScope scope,
+                              std::string_view help, const OptionValue& value, const Editor& editor = {}) {
+  return {{"", name, "", value.kind, form, help, scope}, value, editor};
+}
+
+constexpr RenderOption with_short(std::string_view short_name, RenderOption row) {
+  row.syntax.short_name = short_name;
+  return row;
+}
+
+constexpr Editor widget(std::string_view label) { return {Editor::Kind::widget, label}; }
+
+constexpr Editor beside(std::string_view label) {
+  Editor editor = widget(label);
+  editor.beside = true;
+  return editor;
+}
+
+constexpr Editor slider(std::string_view label, Range range, const char* format, float start = 0.0f) {
+  Editor editor = widget(label);
+  editor.slider = range;
+  editor.format = format;
+  editor.start = start;
+  return editor;
+}
+
+/// A list whose first entry, no value, is called `without`.
+constexpr Editor list(std::string_view label, std::string_view without) {
+  Editor editor = widget(label);
+  editor.without = without;
+  return editor;
+}
+
+constexpr Editor by_hand(std::string_view heading) { return {Editor::Kind::special, "", heading}; }
+constexpr Editor no_editor(std::string_view why) { return {Editor::Kind::none, why}; }
+
+constexpr Editor kViewEditor = [] {
+  Editor editor = widget("shows");
+  editor.heading = "Shading";
+  editor.note = [](const Options& o) {
+    return o.views[0] ? inspect::description_of(*o.views[0]) : std::string_view();
+  };
+  return editor;
+}();
+
+constexpr Editor kTexturesEditor = [] {
+  Editor editor = widget("textures");
+  editor.inverted = true;
+  return editor;
+}();
+
+constexpr OptionValue always_written(OptionValue value) {
+  value.is_always_written = true;
+  return value;
+}
+
+constexpr RenderOption kOutputOptions[] = {
+    with_short("-o", option("--output", "OUT", kOutput,
+                            "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
+                            "output (PNG). May hold {model} {shading} {camera} {frame} {frame:04} {view}; {{ "
+                            "is a brace. Folders that are missing are made. May be left out with --hash or "
+                            "--stats.",
+                            text<&Options::output>())),
+    option("--resolution", "W,H", kPicture, "Size in pixels, each in 1..16384. Default 1280,720.",
+           always_written(custom<read_resolution, resolution_text>()), no_editor("the window has its size")),
+    option("--view", "LIST", kDrawing,
+           "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
+           "layers, illuminations, texels, mip-level, mip-colors, triangles, depth, normals or mach-bands; "
+           "several with commas between (picture is the picture itself), or all; a frame for each.",
+           choices<&Options::views, 1>(), kViewEditor),
+    option("--sheet", "", kOutput, "All frames of the call in one picture, each with its name.",
+           flag<&Options::sheet>()),
+    option("--compression", "N", kOutput, "Of PNG, 0 (none) to 9 (smallest). Default 1.",
+           number<&Options::png_compression>(0, 9)),
+    option("--hash", "", kOutput,
+           "Print the SHA-256 of each frame's pixels (8-bit RGBA, top row first) and its name, a line a "
+           "frame; on standard error where standard output holds the picture.",
+           flag<&Options::hash>()),
+    option("--stats", "text|json", kOutput,
+           "Print times, and what each shading mode did: illuminations, interpolations, additions and powers "
+           "per frame, polygon and scanline. Default text.",
+           custom<read_stats, stats_text>(OptionKind::optional_value)),
+    option("--quiet", "", kCall, "No warnings and no progress; errors are still told.",
+           flag<&Options::quiet>()),
 };
 
-constexpr RenderOption kShading[] = {
-    {{"Shading", "--shading", "", kValue, "LIST",
-      "flat, gouraud, cheap-phong, phong, several with commas between, or all; a frame for each. Default "
-      "phong."},
-     set_shadings},
-    {{"Shading", "--flat-at", "", kValue, "PLACE",
-      "Where flat polygons are lit: centroid (default) or provoking (vertex, as OpenGL)."},
-     set_flat_at},
-    {{"Shading", "--cheap-phong-power", "", kValue, "PLACE",
-      "Where cheap Phong raises to the power: pixel (default) or vertex."},
-     set_cheap_phong_power},
-    {{"Shading", "--lighting", "", kValue, "MODEL", "Highlights: phong (R.V) or blinn (N.H, default)."},
-     set_lighting},
-    {{"Shading", "--color-interpolation", "", kValue, "WAY",
-      "perspective (default), or screen: linear on the screen, as textbook Gouraud."},
-     set_color_interpolation},
-    {{"Shading", "--crease-angle", "", kValue, "DEG",
-      "Give models without normals smooth ones; edges sharper than DEG (0..180) stay visible. Without this "
-      "option such models are faceted, as glTF says."},
-     [](Options& o, Text text) { o.settings.crease_angle_deg = parse_degrees(text, 0.0, 180.0); }},
-    {{"Shading", "--cull", "", kValue, "FACES", "none, back or front. Default: as the materials say."},
-     set_cull},
-    {{"Shading", "--wireframe", "", kFlag, "", "Draw edges only."},
-     [](Options& o, Text) { o.settings.wireframe = true; }},
-    {{"Shading", "--edges", "", kFlag, "", "Draw edges over the surfaces."},
-     [](Options& o, Text) { o.settings.overlays.edges = true; }},
-    {{"Shading", "--normals", "", kFlag, "", "Draw the vertices' normals as lines."},
-     [](Options& o, Text) { o.settings.overlays.normals = true; }},
-    {{"Shading", "--material", "", kValue, "SPEC",
-      "Properties in place of those of every material, KEY=VALUE with colons between. Keys: color=R,G,B "
-      "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
-      "emission=R,G,B shininess=N. Colours are linear."},
-     [](Options& o, Text text) { o.settings.material = parse_material(text); }},
-    {{"Shading", "--fog", "", kValue, "SPEC",
-      "linear:START,END[:R,G,B], exp:DENSITY[:R,G,B] or exp2:DENSITY[:R,G,B], by distance from the eye; the "
-      "colour is given as it is to be seen. Default: the colour of --background, or dark grey."},
-     [](Options& o, Text text) { o.fog = parse_fog(text); }},
+constexpr RenderOption kShadingOptions[] = {
+    option("--shading", "LIST", kPicture,
+           "flat, gouraud, cheap-phong, phong, several with commas between, or all; a frame for each. Default "
+           "phong.",
+           choices<&Options::shadings>(), widget("shading")),
+    option("--flat-at", "PLACE", kPicture,
+           "Where flat polygons are lit: centroid (default) or provoking (vertex, as OpenGL).",
+           choice<&Settings::flat_at>(), widget("flat, lit at")),
+    option("--cheap-phong-power", "PLACE", kPicture,
+           "Where cheap Phong raises to the power: pixel (default) or vertex.",
+           choice<&Settings::cheap_phong_power>(), widget("cheap, power at")),
+    option("--lighting", "MODEL", kPicture, "Highlights: phong (R.V) or blinn (N.H, default).",
+           choice<&Settings::lighting>(), widget("highlights")),
+    option("--color-interpolation", "WAY", kPicture,
+           "perspective (default), or screen: linear on the screen, as textbook Gouraud.",
+           choice<&Settings::color_interpolation>(), widget("colours")),
+    option("--crease-angle", "DEG", kPicture,
+           "Give models without normals smooth ones; edges sharper than DEG (0..180) stay visible. Without "
+           "this option such models are faceted, as glTF says.",
+           number<&Settings::crease_angle_deg>(0, 180),
+           slider("smooth normals", {0, 180}, "%.0f deg", 40.0f)),
+    option("--cull", "FACES", kPicture, "none, back or front. Default: as the materials say.",
+           choice<&Settings::cull, 3>(), list("culling", "the materials'")),
+    option("--wireframe", "", kPicture, "Draw edges only.", flag<&Settings::wireframe>(),
+           widget("wireframe")),
+    option("--edges", "", kPicture, "Draw edges over the surfaces.", flag<&Overlays::edges>(),
+           beside("edges")),
+    option("--normals", "", kPicture, "Draw the vertices' normals as lines.", flag<&Overlays::normals>(),
+           beside("normals")),
+    option("--material", "SPEC", kPicture,
+           "Properties in place of those of every material, KEY=VALUE with colons between. Keys: color=R,G,B "
+           "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
+           "emission=R,G,B shininess=N. Colours are linear.",
+           custom<read_material, material_texts>(), by_hand("Material")),
+    option("--fog", "SPEC", kPicture,
+           "linear:START,END[:R,G,B], exp:DENSITY[:R,G,B] or exp2:DENSITY[:R,G,B], by distance from the eye; "
+           "the colour is given as it is to be seen. Default: the colour of --background, or dark grey.",
+           custom<read_fog, fog_texts>(), by_hand("Fog")),
 };
 
-constexpr RenderOption kTextures[] = {
-    {{"Textures", "--no-textures", "", kFlag, "", "Draw as if no material had a texture."},
-     [](Options& o, Text) { o.settings.textures = false; }},
-    {{"Textures", "--texture-interpolation", "", kValue, "WAY",
-      "perspective (default), or affine: linear on the screen, which shows the error."},
-     set_texture_interpolation},
-    {{"Textures", "--min-filter", "", kValue, "NAME",
-      "nearest, linear, nearest-mipmap-nearest, linear-mipmap-nearest, nearest-mipmap-linear or "
-      "linear-mipmap-linear. Default: the file's."},
-     set_min_filter},
-    {{"Textures", "--mag-filter", "", kValue, "NAME", "nearest or linear. Default: the file's."},
-     set_mag_filter},
-    {{"Textures", "--environment", "", kValue, "PATH",
-      "Surroundings for reflections: a folder of six faces (px nx py ny pz nz), a cross (4:3 or 3:4) or a "
-      "latitude-longitude picture (2:1), of low or high range; dynamic draws them from each object's "
-      "centre."},
-     set_environment},
+constexpr RenderOption kTextureOptions[] = {
+    option("--no-textures", "", kPicture, "Draw as if no material had a texture.",
+           flag<&Settings::textures, false>(), kTexturesEditor),
+    option("--texture-interpolation", "WAY", kPicture,
+           "perspective (default), or affine: linear on the screen, which shows the error.",
+           choice<&Settings::texture_interpolation>(), widget("interpolation")),
+    option("--min-filter", "NAME", kPicture,
+           "nearest, linear, nearest-mipmap-nearest, linear-mipmap-nearest, nearest-mipmap-linear or "
+           "linear-mipmap-linear. Default: the file's.",
+           choice<&Settings::min_filter>(), list("smaller", "the file's")),
+    option("--mag-filter", "NAME", kPicture, "nearest or linear. Default: the file's.",
+           choice<&Settings::mag_filter>(), list("larger", "the file's")),
+    option("--environment", "PATH", kPicture,
+           "Surroundings for reflections: a folder of six faces (px nx py ny pz nz), a cross (4:3 or 3:4) or "
+           "a latitude-longitude picture (2:1), of low or high range; dynamic draws them from each object's "
+           "centre.",
+           custom<read_environment, environment_texts>(), by_hand("Environment")),
 };
 
-constexpr RenderOption kLights[] = {
-    {{"Lights", "--light", "", OptionKind::repeatable, "SPEC",
-      "A light in place of the file's; may be repeated. TYPE[:KEY=VALUE]... with the types key, fill, back "
-      "(of "
-      "the three-light set-up; they move with the camera), directional, point, spot. Keys: color=R,G,B "
-      "intensity=I (below 0 takes light away) dir=X,Y,Z pos=X,Y,Z attenuation=KC,KL,KQ range=D "
-      "cone=INNER,OUTER cutoff=DEG exponent=N space=world|camera. Colours are linear."},
-     [](Options& o, Text text) { o.settings.lights.push_back(parse_light(text)); }},
-    {{"Lights", "--ambient", "", kValue, "R,G,B", "Ambient light, linear. Default: the file's, or a little."},
-     set_ambient},
-    {{"Lights", "--light-off", "", kValue, "LIST",
-      "Leave out these of the frame's lights: numbers from 1, with commas between."},
-     set_lights_off},
-    {{"Lights", "--light-markers", "", kFlag, "", "Draw where the lights are."},
-     [](Options& o, Text) { o.settings.overlays.light_markers = true; }},
-    {{"Lights", "--no-lights", "", kFlag, "", "Leave out all lights but the ambient."},
-     [](Options& o, Text) { o.settings.no_lights = true; }},
+constexpr RenderOption kLightOptions[] = {
+    option("--light", "SPEC", kPicture,
+           "A light in place of the file's; may be repeated. TYPE[:KEY=VALUE]... with the types key, fill, "
+           "back (of the three-light set-up; they move with the camera), directional, point, spot. Keys: "
+           "color=R,G,B intensity=I (below 0 takes light away) dir=X,Y,Z pos=X,Y,Z attenuation=KC,KL,KQ "
+           "range=D cone=INNER,OUTER cutoff=DEG exponent=N space=world|camera. Colours are linear.",
+           custom<read_light, light_texts>(OptionKind::repeatable), by_hand("Lights")),
+    option("--ambient", "R,G,B", kPicture, "Ambient light, linear. Default: the file's, or a little.",
+           vector<&Settings::ambient>({0.0, 1e6}), by_hand("Lights")),
+    option("--light-off", "LIST", kPicture,
+           "Leave out these of the frame's lights: numbers from 1, with commas between.",
+           custom<read_lights_off, lights_off_texts>(), by_hand("Lights")),
+    option("--light-markers", "", kPicture, "Draw where the lights are.", flag<&Overlays::light_markers>(),
+           widget("markers")),
+    option("--no-lights", "", kPicture, "Leave out all lights but the ambient.",
+           custom<read_no_lights, no_lights_texts>(OptionKind::flag), by_hand("Lights")),
 };
 
-constexpr RenderOption kCamera[] = {
-    {{"Camera", "--camera-index", "", kValue, "LIST",
-      "Cameras of the file, from 0, several with commas between, or all; a frame for each. none frames the "
-      "model. Default: the first; a file without cameras is framed."},
-     set_cameras},
-    {{"Camera", "--camera-position", "", kValue, "X,Y,Z",
-      "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle and "
-      "the near and far plane stay."},
-     [](Options& o, Text text) { o.settings.camera.position = parse_point(text); }},
-    {{"Camera", "--camera-focal-point", "", kValue, "X,Y,Z",
-      "What the eye looks at. Default: the model's middle."},
-     [](Options& o, Text text) { o.settings.camera.focal_point = parse_point(text); }},
-    {{"Camera", "--camera-view-angle", "", kValue, "DEG", "Vertical field of view, 1..170."},
-     [](Options& o, Text text) { o.settings.camera.view_angle_deg = parse_degrees(text, 1.0, 170.0); }},
-    {{"Camera", "--camera-up", "", kValue, "X,Y,Z",
-      "The direction that is up in the picture, to roll the camera. Default: as --up, or the file's."},
-     set_camera_up},
-    {{"Camera", "--orthographic-height", "", kValue, "H",
-      "Parallel rays; the picture is H of the model's units high."},
-     set_orthographic_height},
-    {{"Camera", "--up", "", kValue, "AXIS", "+X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z. Default +Y."},
-     set_up},
-    {{"Camera", "--azimuth", "", kValue, "DEG", "Turn about the focal point to the right, -360..360."},
-     [](Options& o, Text text) { o.settings.camera.azimuth_deg = parse_degrees(text, -360.0, 360.0); }},
-    {{"Camera", "--elevation", "", kValue, "DEG", "Turn about the focal point upwards, -90..90."},
-     [](Options& o, Text text) { o.settings.camera.elevation_deg = parse_degrees(text, -90.0, 90.0); }},
-    {{"Camera", "--turntable", "", kValue, "N", "N frames once round the model; {frame} is 0..N-1."},
-     [](Options& o, Text text) { o.turntable = parse_whole(text, 1, 100'000); }},
-    {{"Camera", "--scene", "", kValue, "N", "Scene of the file, from 0. Default: the file's default."},
-     [](Options& o, Text text) { o.settings.scene_index = parse_whole(text, 0, 1'000'000); }},
+constexpr RenderOption kCameraOptions[] = {
+    option("--camera-index", "LIST", kPicture,
+           "Cameras of the file, from 0, several with commas between, or all; a frame for each. none frames "
+           "the model. Default: the first; a file without cameras is framed.",
+           custom<read_cameras, camera_texts>(), by_hand("Camera")),
+    option("--camera-position", "X,Y,Z", kPicture,
+           "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle "
+           "and the near and far plane stay.",
+           vector<&Camera::position>(), by_hand("Camera")),
+    option("--camera-focal-point", "X,Y,Z", kPicture, "What the eye looks at. Default: the model's middle.",
+           vector<&Camera::focal_point>(), by_hand("Camera")),
+    option("--camera-view-angle", "DEG", kPicture, "Vertical field of view, 1..170.",
+           number<&Camera::view_angle_deg>(1, 170), by_hand("Camera")),
+    option("--camera-up", "X,Y,Z", kPicture,
+           "The direction that is up in the picture, to roll the camera. Default: as --up, or the file's.",
+           direction<&Camera::view_up>(), no_editor("the mouse rolls the camera")),
+    option("--orthographic-height", "H", kPicture,
+           "Parallel rays; the picture is H of the model's units high.",
+           number<&Camera::orthographic_height>(1e-18, kAnyNumber), by_hand("Camera")),
+    option("--up", "AXIS", kPicture, "+X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z. Default +Y.",
+           custom<read_up, up_text>(), no_editor("a fact of the model")),
+    option("--azimuth", "DEG", kPicture, "Turn about the focal point to the right, -360..360.",
+           number<&Camera::azimuth_deg>(-360, 360), no_editor("the mouse moves the eye")),
+    option("--elevation", "DEG", kPicture, "Turn about the focal point upwards, -90..90.",
+           number<&Camera::elevation_deg>(-90, 90), no_editor("the mouse moves the eye")),
+    option("--turntable", "N", kOutput, "N frames once round the model; {frame} is 0..N-1.",
+           number<&Options::turntable>(1, 100'000)),
+    option("--scene", "N", kPicture, "Scene of the file, from 0. Default: the file's default.",
+           number<&Settings::scene_index>(0, 1'000'000), no_editor("few files have several")),
 };
 
-constexpr RenderOption kAnimation[] = {
-    {{"Animation", "--time", "", kValue, "T", "The moment T, in seconds, of the animation."},
-     [](Options& o, Text text) { o.time_s = parse_number(text, 0.0, 1e6); }},
-    {{"Animation", "--frames", "", kValue, "A:B",
-      "Frames A to B, both included; frame n is the moment n/FPS."},
-     set_frames},
-    {{"Animation", "--fps", "", kValue, "FPS", "Frames a second for --frames, 0.001..1000. Default 30."},
-     [](Options& o, Text text) { o.frames_per_second = parse_number(text, 0.001, 1000.0); }},
-    {{"Animation", "--animation", "", kValue, "N", "Which animation of the file, from 0. Default 0."},
-     [](Options& o, Text text) { o.animation = parse_whole(text, 0, 1'000'000); }},
+constexpr RenderOption kAnimationOptions[] = {
+    option("--time", "T", kPicture, "The moment T, in seconds, of the animation.",
+           number<&Options::time_s>(0, 1e6), by_hand("Animation")),
+    option("--frames", "A:B", kOutput, "Frames A to B, both included; frame n is the moment n/FPS.",
+           custom<read_frames, frames_texts>()),
+    option("--fps", "FPS", kOutput, "Frames a second for --frames, 0.001..1000. Default 30.",
+           number<&Options::frames_per_second>(0.001, 1000)),
+    option("--animation", "N", kPicture, "Which animation of the file, from 0. Default 0.",
+           number<&Options::animation>(0, 1'000'000), by_hand("Animation")),
 };
 
-constexpr RenderOption kColour[] = {
-    {{"Colour", "--background", "", kValue, "R,G,B[,A]",
-      "Colour behind all, 0..1, as it is to be seen (0.5 is half of 255, whatever the exposure); or "
-      "environment. "
-      "Default: the file's, or dark grey."},
-     set_background},
-    {{"Colour", "--color-management", "", kValue, "WAY",
-      "srgb (default): light is linear, pictures are encoded; none: texels and results as they are, as "
-      "OpenGL "
-      "1.x."},
-     set_color_management},
-    {{"Colour", "--exposure", "", kValue, "EV", "Brighten by 2^EV, -32..32. Default 0."},
-     [](Options& o, Text text) {
-       o.settings.exposure_ev = static_cast<float>(parse_number(text, -32.0, 32.0));
-     }},
-    {{"Colour", "--tone-map", "", kValue, "MAP", "Values over the maximum: clamp (default) or reinhard."},
-     set_tone_map},
+constexpr RenderOption kColourOptions[] = {
+    option("--background", "R,G,B[,A]", kPicture,
+           "Colour behind all, 0..1, as it is to be seen (0.5 is half of 255, whatever the exposure); or "
+           "environment. Default: the file's, or dark grey.",
+           custom<read_background, background_texts>(), by_hand("Colour")),
+    option("--color-management", "WAY", kPicture,
+           "srgb (default): light is linear, pictures are encoded; none: texels and results as they are, as "
+           "OpenGL 1.x.",
+           choice<&Settings::color_management>(), widget("colours")),
+    option("--exposure", "EV", kPicture, "Brighten by 2^EV, -32..32. Default 0.",
+           number<&Settings::exposure_ev>(-32, 32), slider("exposure", {-8, 8}, "%.2f EV")),
+    option("--tone-map", "MAP", kPicture, "Values over the maximum: clamp (default) or reinhard.",
+           choice<&Settings::tone_map>(), widget("tone map")),
 };
 
-constexpr RenderOption kExecution[] = {
-    {{"Execution", "--threads", "", kValue, "N",
-      "Use N threads, 1..1024. Default: all. Never changes a pixel."},
-     [](Options& o, Text text) { o.threads = parse_whole(text, 1, 1024); }},
-    {{"Execution", "--simd", "", kValue, "SET",
-      "Instructions: auto (default), scalar, sse4, avx2, avx512 or neon. Never changes a pixel."},
-     set_simd},
-    {{"Execution", "--visibility-first", "", kValue, "on|off",
-      "Find what is visible before shading (default on). Never changes a pixel."},
-     set_visibility_first},
-    {{"Execution", "--max-memory", "", kValue, "SIZE", kMaxMemoryHelp},
-     [](Options& o, Text text) { o.limits.max_memory = parse_memory(text); }},
-    {{"Execution", "--max-seconds", "", kValue, "N", kMaxSecondsHelp},
-     [](Options& o, Text text) { o.limits.max_seconds = parse_seconds(text); }},
-    {{"Execution", "--settings", "", kValue, "FILE",
-      "Options from a JSON file, as barrido-view saves it; those of the command line win."},
-     [](Options& o, Text text) { o.settings_path = text; }},
-    {{"Execution", "--help", "-h", kFlag, "", "This text."}, [](Options& o, Text) { o.help = true; }},
+constexpr RenderOption kExecutionOptions[] = {
+    option("--threads", "N", kCall, "Use N threads, 1..1024. Default: all. Never changes a pixel.",
+           number<&Options::threads>(1, 1024)),
+    option("--simd", "SET", kCall,
+           "Instructions: auto (default), scalar, sse4, avx2, avx512 or neon. Never changes a pixel.",
+           custom<read_simd, simd_text>()),
+    option("--visibility-first", "on|off", kDrawing,
+           "Find what is visible before shading (default on). Never changes a pixel.",
+           choice<&Settings::visibility_first>(), no_editor("never changes a pixel")),
+    option("--max-memory", "SIZE", kCall, kMaxMemoryHelp, custom<read_max_memory, max_memory_texts>()),
+    option("--max-seconds", "N", kCall, kMaxSecondsHelp, number<&LimitOptions::max_seconds>(0.1, 1e6)),
+    option("--settings", "FILE", kCall,
+           "Options from a JSON file, as barrido-view saves it; those of the command line win.",
+           text<&Options::settings_path>()),
+    with_short("-h", option("--help", "", kCall, "This text.", flag<&Options::help>())),
 };
 
-constexpr std::size_t kCount = std::size(kOutput) + std::size(kShading) + std::size(kTextures) +
-                               std::size(kLights) + std::size(kCamera) + std::size(kAnimation) +
-                               std::size(kColour) + std::size(kExecution);
+struct Section {
+  std::string_view name;
+  std::span<const RenderOption> rows;
+};
+
+constexpr Section kSections[] = {
+    {"Output", kOutputOptions},       {"Shading", kShadingOptions}, {"Textures", kTextureOptions},
+    {"Lights", kLightOptions},        {"Camera", kCameraOptions},   {"Animation", kAnimationOptions},
+    {"Colour", kColourOptions},       {"Execution", kExecutionOptions},
+};
+
+constexpr std::size_t kCount = [] {
+  std::size_t count = 0;
+  for (const Section& section : kSections) count += section.rows.size();
+  return count;
+}();
 
 constexpr auto kTable = [] {
   std::array<RenderOption, kCount> table{};
   std::size_t next = 0;
-  const auto append = [&](std::span<const RenderOption> section) {
-    for (const RenderOption& option : section) table[next++] = option;
-  };
-  append(kOutput);
-  append(kShading);
-  append(kTextures);
-  append(kLights);
-  append(kCamera);
-  append(kAnimation);
-  append(kColour);
-  append(kExecution);
+  for (const Section& section : kSections) {
+    for (RenderOption row : section.rows) {
+      row.syntax.section = section.name;
+      table[next++] = row;
+    }
+  }
   return table;
 }();
 
@@ -241,5 +296,12 @@ constexpr auto kSyntax = [] {
 std::span<const RenderOption> render_option_table() { return kTable; }
 
 std::span<const OptionSyntax> render_syntax() { return kSyntax; }
+
+const RenderOption& render_option(std::string_view name) {
+  for (const RenderOption& row : kTable) {
+    if (row.syntax.name == name) return row;
+  }
+  throw std::out_of_range("no option " + std::string(name));
+}
 
 }  // namespace barrido::cli

@@ -30,7 +30,7 @@ class Given {
 
 void apply(RenderOptions& options, const RenderOption& option, const GivenOption& given) {
   try {
-    option.apply(options, given.value);
+    option.read(options, given.value);
   } catch (const ValueError& error) {
     const std::string name = given.source.empty() ? std::string(option.syntax.name)
                                                   : given.source + ": " + settings_name(option.syntax);

@@ -12,8 +12,23 @@
 #include "raster/base/simd_target.h"
 #include "viewer/barrido/arguments.h"
 #include "viewer/barrido/call_limits.h"
-#include "viewer/barrido/fog_spec.h"
-#include "viewer/barrido/usage_error.h"
+#include "viewer/barrido/specs.h"
+
+namespace barrido {
+
+/// The picture itself, then the views.
+template <>
+inline constexpr auto kNames<std::optional<inspect::StructureView>> = [] {
+  std::array<Named<std::optional<inspect::StructureView>>, inspect::kStructureViewCount + 1> names{};
+  names[0] = {std::nullopt, "picture"};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const Named<inspect::StructureView>& view = kNames<inspect::StructureView>[i - 1];
+    names[i] = {view.value, view.name};
+  }
+  return names;
+}();
+
+}  // namespace barrido
 
 namespace barrido::cli {
 
@@ -76,8 +91,5 @@ RenderOptions parse_render_options(std::span<const std::string> words);
 /// The options of one picture as barrido-view takes them: neither file nor output is needed.
 /// @throws as read_frame_options.
 RenderOptions parse_view_options(std::span<const std::string> words);
-
-/// "flat", "gouraud", "cheap-phong" or "phong".
-std::string_view name_of(pipeline::ShadeModel model);
 
 }  // namespace barrido::cli

@@ -3,100 +3,183 @@
 #include <algorithm>
 
 #include "raster/fragments/primitive.h"
+#include "viewer/barrido/text_format.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {
 
-using pipeline::ShadeModel;
-
-constexpr std::array<Choice<ShadeModel>, pipeline::kShadeModelCount> kShadings{
-    {{"flat", ShadeModel::flat},
-     {"gouraud", ShadeModel::gouraud},
-     {"cheap-phong", ShadeModel::cheap_phong},
-     {"phong", ShadeModel::phong}}};
-
 constexpr int kLargestFrameNumber = 999'999;
 constexpr int kMaxCameras = 1000;
 
-bool is_given_twice(const std::vector<int>& cameras) {
-  return std::find(cameras.begin(), cameras.end() - 1, cameras.back()) != cameras.end() - 1;
+constexpr auto kStatsFormats =
+    std::to_array<Named<StatsFormat>>({{StatsFormat::text, "text"}, {StatsFormat::json, "json"}});
+
+/// `separator` between two whole numbers in [least, most]. @throws ValueError with the message `otherwise`.
+std::array<int, 2> parse_pair(std::string_view text, char separator, int least, int most,
+                              const std::string& otherwise) {
+  const auto parts = split(text, separator);
+  try {
+    if (parts.size() == 2) return {parse_whole(parts[0], least, most), parse_whole(parts[1], least, most)};
+  } catch (const ValueError&) {
+  }
+  throw ValueError(otherwise);
+}
+
+std::string list_text(const std::vector<int>& numbers, int offset) {
+  std::string text;
+  for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number + offset);
+  return text;
 }
 
 }  // namespace
 
-std::string_view name_of(ShadeModel model) {
-  return kShadings[static_cast<std::size_t>(model)].name;  // The table is in the order of the enumeration.
+void read_resolution(RenderOptions& options, std::string_view text) {
+  const std::string most = std::to_string(raster::kMaxFrameSide);
+  const auto [width, height] = parse_pair(text, ',', 1, raster::kMaxFrameSide,
+                                          "expected W,H, two whole numbers in 1.." + most);
+  options.settings.width = width;
+  options.settings.height = height;
 }
 
-void set_resolution(RenderOptions& options, std::string_view text) {
-  const auto sides = split(text, ',');
-  try {
-    if (sides.size() != 2) throw ValueError("");
-    options.settings.width = parse_whole(sides[0], 1, raster::kMaxFrameSide);
-    options.settings.height = parse_whole(sides[1], 1, raster::kMaxFrameSide);
-  } catch (const ValueError&) {
-    throw ValueError("expected W,H, two whole numbers in 1.." + std::to_string(raster::kMaxFrameSide));
-  }
+Texts resolution_text(const RenderOptions& options) {
+  return {std::to_string(options.settings.width) + "," + std::to_string(options.settings.height)};
 }
 
-void set_shadings(RenderOptions& options, std::string_view text) {
-  options.shadings.clear();
-  if (text == "all") {
-    for (const Choice<ShadeModel>& choice : kShadings) options.shadings.push_back(choice.value);
-    return;
-  }
-  for (const std::string_view name : split(text, ',')) {
-    try {
-      options.shadings.push_back(parse_choice(name, kShadings));
-    } catch (const ValueError& error) {
-      throw ValueError(std::string(error.what()) + " (or several with commas between, or all)");
-    }
-    const auto last = options.shadings.end() - 1;
-    if (std::find(options.shadings.begin(), last, *last) != last) {
-      throw ValueError(std::string(name) + " is given twice");
-    }
-  }
+void read_stats(RenderOptions& options, std::string_view text) {
+  options.stats =
+      text.empty() ? StatsFormat::text : parse_choice(text, std::span<const Named<StatsFormat>>(kStatsFormats));
 }
 
-void set_views(RenderOptions& options, std::string_view text) {
-  options.views.clear();
-  std::vector<std::string_view> names{"picture"};
-  for (int i = 0; i < inspect::kStructureViewCount; ++i) {
-    names.push_back(inspect::name_of(static_cast<inspect::StructureView>(i)));
+Texts stats_text(const RenderOptions& options) {
+  for (const Named<StatsFormat>& format : kStatsFormats) {
+    if (format.value == options.stats) return {std::string(format.name)};
   }
-  if (text == "all") {
-    for (std::size_t i = 1; i < names.size(); ++i) {
-      options.views.push_back(inspect::structure_view_of(names[i]));
-    }
-    return;
-  }
-  for (const std::string_view name : split(text, ',')) {
-    const auto view = inspect::structure_view_of(name);
-    if (!view && name != "picture") {
-      throw ValueError("expected " + one_of(names) + did_you_mean(name, names) +
-                       " (or several with commas between, or all)");
-    }
-    if (std::find(options.views.begin(), options.views.end(), view) != options.views.end()) {
-      throw ValueError(std::string(name) + " is given twice");
-    }
-    options.views.push_back(view);
-  }
+  return {};
 }
 
-void set_stats(RenderOptions& options, std::string_view text) {
-  constexpr std::array<Choice<StatsFormat>, 2> kFormats{
-      {{"text", StatsFormat::text}, {"json", StatsFormat::json}}};
-  options.stats = text.empty() ? StatsFormat::text : parse_choice(text, kFormats);
+void read_material(RenderOptions& options, std::string_view text) {
+  options.settings.material = parse_material(text);
 }
 
-void set_environment(RenderOptions& options, std::string_view text) {
+Texts material_texts(const RenderOptions& options) {
+  const std::string text = material_text(options.settings.material);
+  return text.empty() ? Texts{} : Texts{text};
+}
+
+void read_fog(RenderOptions& options, std::string_view text) { options.fog = parse_fog(text); }
+
+Texts fog_texts(const RenderOptions& options) {
+  return options.fog ? Texts{fog_text(*options.fog)} : Texts{};
+}
+
+void read_environment(RenderOptions& options, std::string_view text) {
   if (text.empty()) throw ValueError("expected a picture, a folder or dynamic");
   options.settings.dynamic_environment = text == "dynamic";
   options.environment_path = text == "dynamic" ? std::string() : std::string(text);
 }
 
-void set_background(RenderOptions& options, std::string_view text) {
+Texts environment_texts(const RenderOptions& options) {
+  if (options.settings.dynamic_environment) return {"dynamic"};
+  return options.environment_path.empty() ? Texts{} : Texts{options.environment_path};
+}
+
+void read_light(RenderOptions& options, std::string_view text) {
+  options.settings.lights.push_back(parse_light(text));
+}
+
+Texts light_texts(const RenderOptions& options) {
+  Texts texts;
+  for (const scene::UserLight& light : options.settings.lights) texts.push_back(light_text(light));
+  return texts;
+}
+
+void read_lights_off(RenderOptions& options, std::string_view text) {
+  for (const std::string_view number : split(text, ',')) {
+    try {
+      options.settings.lights_off.push_back(parse_whole(number, 1, raster::kMaxLights) - 1);
+    } catch (const ValueError& error) {
+      throw ValueError(std::string(error.what()) + ", or several with commas between");
+    }
+  }
+}
+
+Texts lights_off_texts(const RenderOptions& options) {
+  const std::vector<int>& off = options.settings.lights_off;
+  return off.empty() ? Texts{} : Texts{list_text(off, 1)};
+}
+
+void read_no_lights(RenderOptions& options, std::string_view) { options.settings.no_lights = true; }
+
+// The window keeps the switch while it has lights of its own, which the command line refuses.
+Texts no_lights_texts(const RenderOptions& options) {
+  return options.settings.no_lights && options.settings.lights.empty() ? Texts{""} : Texts{};
+}
+
+void read_cameras(RenderOptions& options, std::string_view text) {
+  if (text == "all" || text == "none") {
+    options.all_cameras = text == "all";
+    options.settings.camera.ignore_file_cameras = text == "none";
+    return;
+  }
+  std::vector<int>& cameras = options.cameras;
+  for (const std::string_view index : split(text, ',')) {
+    try {
+      cameras.push_back(parse_whole(index, 0, kMaxCameras));
+    } catch (const ValueError& error) {
+      throw ValueError(std::string(error.what()) + ", several with commas between, all or none");
+    }
+    if (std::count(cameras.begin(), cameras.end(), cameras.back()) > 1) {
+      throw ValueError(std::string(index) + " is given twice");
+    }
+  }
+}
+
+Texts camera_texts(const RenderOptions& options) {
+  const scene::CameraChoice& camera = options.settings.camera;
+  if (options.all_cameras) return {"all"};
+  if (!options.cameras.empty()) return {list_text(options.cameras, 0)};
+  // An eye of the user's own puts the file's cameras aside by itself.
+  const bool none = camera.ignore_file_cameras && !camera.position && !camera.focal_point;
+  return none ? Texts{"none"} : Texts{};
+}
+
+void read_up(RenderOptions& options, std::string_view text) {
+  struct Axis {
+    std::string_view name;
+    glm::vec3 up;
+  };
+  constexpr Axis kAxes[] = {{"+X", {1, 0, 0}},  {"-X", {-1, 0, 0}}, {"+Y", {0, 1, 0}},
+                            {"-Y", {0, -1, 0}}, {"+Z", {0, 0, 1}},  {"-Z", {0, 0, -1}},
+                            {"X", {1, 0, 0}},   {"Y", {0, 1, 0}},   {"Z", {0, 0, 1}}};
+  for (const Axis& axis : kAxes) {
+    if (axis.name != text) continue;
+    options.settings.camera.up = axis.up;
+    return;
+  }
+  std::array<float, 3> up{};
+  if (!parse_numbers(text, up, -kAnyNumber, kAnyNumber)) {
+    throw ValueError("expected +X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z");
+  }
+  options.settings.camera.up = parse_direction(text);
+}
+
+Texts up_text(const RenderOptions& options) { return {shortest(options.settings.camera.up)}; }
+
+void read_frames(RenderOptions& options, std::string_view text) {
+  const std::string otherwise = "expected A:B, two whole numbers in 0.." +
+                                std::to_string(kLargestFrameNumber) + ", A not above B";
+  const auto [first, last] = parse_pair(text, ':', 0, kLargestFrameNumber, otherwise);
+  if (first > last) throw ValueError(otherwise);
+  options.frames = FrameRange{first, last};
+}
+
+Texts frames_texts(const RenderOptions& options) {
+  if (!options.frames) return {};
+  return {std::to_string(options.frames->first) + ":" + std::to_string(options.frames->last)};
+}
+
+void read_background(RenderOptions& options, std::string_view text) {
   if (text == "environment") {
     options.settings.background = scene::Background::environment;
     return;
@@ -109,107 +192,39 @@ void set_background(RenderOptions& options, std::string_view text) {
   options.background_shown = color;
 }
 
-void set_ambient(RenderOptions& options, std::string_view text) {
-  const auto color = parse_tuple<3>(text, "R,G,B", 0.0, 1e6);
-  options.settings.ambient = glm::vec3(color[0], color[1], color[2]);
+Texts background_texts(const RenderOptions& options) {
+  if (options.settings.background == scene::Background::environment) return {"environment"};
+  if (!options.background_shown) return {};
+  const auto& [r, g, b, a] = *options.background_shown;
+  return {shortest(glm::vec3(r, g, b)) + (a == 1.0f ? "" : "," + shortest(a))};
 }
 
-void set_cameras(RenderOptions& options, std::string_view text) {
-  if (text == "all" || text == "none") {
-    options.all_cameras = text == "all";
-    options.settings.camera.ignore_file_cameras = text == "none";
-    return;
+void read_simd(RenderOptions& options, std::string_view text) {
+  using raster::SimdTarget;
+  std::vector<Named<SimdTarget>> targets;
+  for (int i = static_cast<int>(SimdTarget::automatic); i <= static_cast<int>(SimdTarget::neon); ++i) {
+    const auto target = static_cast<SimdTarget>(i);
+    targets.push_back({target, raster::name_of(target)});
   }
-  for (const std::string_view index : split(text, ',')) {
-    try {
-      options.cameras.push_back(parse_whole(index, 0, kMaxCameras));
-    } catch (const ValueError& error) {
-      throw ValueError(std::string(error.what()) + ", several with commas between, all or none");
-    }
-    if (is_given_twice(options.cameras)) throw ValueError(std::string(index) + " is given twice");
-  }
-}
-
-void set_up(RenderOptions& options, std::string_view text) {
-  constexpr std::array<Choice<std::array<float, 3>>, 9> kAxes{{{"+X", {1, 0, 0}},
-                                                               {"-X", {-1, 0, 0}},
-                                                               {"+Y", {0, 1, 0}},
-                                                               {"-Y", {0, -1, 0}},
-                                                               {"+Z", {0, 0, 1}},
-                                                               {"-Z", {0, 0, -1}},
-                                                               {"X", {1, 0, 0}},
-                                                               {"Y", {0, 1, 0}},
-                                                               {"Z", {0, 0, 1}}}};
-  std::array<float, 3> up{};
-  const bool numbers = parse_numbers(text, up, -kAnyNumber, kAnyNumber);
-  for (const auto& axis : kAxes) {
-    if (axis.name == text) up = axis.value;
-  }
-  if (up == std::array<float, 3>{}) {
-    throw ValueError(numbers ? "expected a direction, not 0,0,0"
-                             : "expected +X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z");
-  }
-  options.settings.camera.up = {up[0], up[1], up[2]};
-}
-
-void set_camera_up(RenderOptions& options, std::string_view text) {
-  const glm::vec3 up = parse_point(text);
-  if (up == glm::vec3(0.0f)) throw ValueError("expected a direction, not 0,0,0");
-  options.settings.camera.view_up = up;
-}
-
-void set_orthographic_height(RenderOptions& options, std::string_view text) {
-  options.settings.camera.orthographic_height = static_cast<float>(parse_number(text, 1e-18, kAnyNumber));
-}
-
-void set_lights_off(RenderOptions& options, std::string_view text) {
-  for (const std::string_view number : split(text, ',')) {
-    try {
-      options.settings.lights_off.push_back(parse_whole(number, 1, raster::kMaxLights) - 1);
-    } catch (const ValueError& error) {
-      throw ValueError(std::string(error.what()) + ", or several with commas between");
-    }
-  }
-}
-
-void set_frames(RenderOptions& options, std::string_view text) {
-  const auto ends = split(text, ':');
-  FrameRange range;
-  try {
-    if (ends.size() != 2) throw ValueError("");
-    range.first = parse_whole(ends[0], 0, kLargestFrameNumber);
-    range.last = parse_whole(ends[1], range.first, kLargestFrameNumber);
-  } catch (const ValueError&) {
-    throw ValueError("expected A:B, two whole numbers in 0.." + std::to_string(kLargestFrameNumber) +
-                     ", A not above B");
-  }
-  options.frames = range;
-}
-
-void set_simd(RenderOptions& options, std::string_view text) {
-  constexpr std::array<Choice<raster::SimdTarget>, 6> kTargets{{{"auto", raster::SimdTarget::automatic},
-                                                                {"scalar", raster::SimdTarget::scalar},
-                                                                {"sse4", raster::SimdTarget::sse4},
-                                                                {"avx2", raster::SimdTarget::avx2},
-                                                                {"avx512", raster::SimdTarget::avx512},
-                                                                {"neon", raster::SimdTarget::neon}}};
-  options.simd = parse_choice(text, kTargets);
-  if (options.simd == raster::SimdTarget::automatic) return;
+  options.simd = parse_choice(text, std::span<const Named<SimdTarget>>(targets));
+  if (options.simd == SimdTarget::automatic) return;
   std::string available;
-  for (const raster::SimdTarget target : raster::available_simd_targets()) {
+  for (const SimdTarget target : raster::available_simd_targets()) {
     if (target == options.simd) return;
     available += (available.empty() ? "" : ", ") + std::string(raster::name_of(target));
   }
   throw ValueError("this machine has not got it; it has " + available);
 }
 
-glm::vec3 parse_point(std::string_view text) {
-  const auto point = parse_tuple<3>(text, "X,Y,Z", -kAnyNumber, kAnyNumber);
-  return {point[0], point[1], point[2]};
+Texts simd_text(const RenderOptions& options) { return {std::string(raster::name_of(options.simd))}; }
+
+void read_max_memory(RenderOptions& options, std::string_view text) {
+  options.limits.max_memory = parse_memory(text);
 }
 
-float parse_degrees(std::string_view text, double least, double most) {
-  return static_cast<float>(parse_number(text, least, most));
+Texts max_memory_texts(const RenderOptions& options) {
+  if (!options.limits.max_memory) return {};
+  return {shortest_double(static_cast<double>(*options.limits.max_memory) / 1024.0) + "K"};
 }
 
 }  // namespace barrido::cli

@@ -1,42 +1,46 @@
-// Values of single options of `barrido render`: each function reads the text of one option into the options.
+// Values of options that are more than one field: how each is read into the options and written again. For
+// the table of options alone.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "viewer/barrido/render_options.h"
 
 namespace barrido::cli {
 
-/// All throw ValueError saying what is allowed.
-void set_resolution(RenderOptions& options, std::string_view text);
-void set_shadings(RenderOptions& options, std::string_view text);
-void set_views(RenderOptions& options, std::string_view text);
-void set_stats(RenderOptions& options, std::string_view text);
-void set_environment(RenderOptions& options, std::string_view text);
-void set_background(RenderOptions& options, std::string_view text);
-void set_ambient(RenderOptions& options, std::string_view text);
-void set_cameras(RenderOptions& options, std::string_view text);
-void set_up(RenderOptions& options, std::string_view text);
-void set_camera_up(RenderOptions& options, std::string_view text);
-void set_orthographic_height(RenderOptions& options, std::string_view text);
-void set_lights_off(RenderOptions& options, std::string_view text);
-void set_frames(RenderOptions& options, std::string_view text);
-void set_simd(RenderOptions& options, std::string_view text);
-void set_flat_at(RenderOptions& options, std::string_view text);
-void set_cheap_phong_power(RenderOptions& options, std::string_view text);
-void set_lighting(RenderOptions& options, std::string_view text);
-void set_color_interpolation(RenderOptions& options, std::string_view text);
-void set_texture_interpolation(RenderOptions& options, std::string_view text);
-void set_min_filter(RenderOptions& options, std::string_view text);
-void set_mag_filter(RenderOptions& options, std::string_view text);
-void set_cull(RenderOptions& options, std::string_view text);
-void set_color_management(RenderOptions& options, std::string_view text);
-void set_tone_map(RenderOptions& options, std::string_view text);
-void set_visibility_first(RenderOptions& options, std::string_view text);
+/// The texts of an option: none, or one for each time it is given.
+using Texts = std::vector<std::string>;
 
-/// X,Y,Z of any finite size.
-glm::vec3 parse_point(std::string_view text);
-/// Degrees in [least, most].
-float parse_degrees(std::string_view text, double least, double most);
+// All readers throw ValueError saying what is allowed.
+void read_resolution(RenderOptions& options, std::string_view text);
+Texts resolution_text(const RenderOptions& options);
+void read_stats(RenderOptions& options, std::string_view text);
+Texts stats_text(const RenderOptions& options);
+void read_material(RenderOptions& options, std::string_view text);
+Texts material_texts(const RenderOptions& options);
+void read_fog(RenderOptions& options, std::string_view text);
+Texts fog_texts(const RenderOptions& options);
+void read_environment(RenderOptions& options, std::string_view text);
+Texts environment_texts(const RenderOptions& options);
+void read_light(RenderOptions& options, std::string_view text);
+Texts light_texts(const RenderOptions& options);
+void read_lights_off(RenderOptions& options, std::string_view text);
+Texts lights_off_texts(const RenderOptions& options);
+void read_no_lights(RenderOptions& options, std::string_view text);
+Texts no_lights_texts(const RenderOptions& options);
+void read_cameras(RenderOptions& options, std::string_view text);
+Texts camera_texts(const RenderOptions& options);
+void read_up(RenderOptions& options, std::string_view text);
+Texts up_text(const RenderOptions& options);
+void read_frames(RenderOptions& options, std::string_view text);
+Texts frames_texts(const RenderOptions& options);
+void read_background(RenderOptions& options, std::string_view text);
+Texts background_texts(const RenderOptions& options);
+void read_simd(RenderOptions& options, std::string_view text);
+Texts simd_text(const RenderOptions& options);
+void read_max_memory(RenderOptions& options, std::string_view text);
+Texts max_memory_texts(const RenderOptions& options);
 
 }  // namespace barrido::cli

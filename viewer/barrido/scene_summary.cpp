@@ -109,16 +109,4 @@ SceneSummary summarize(const scene::Scene& scene) {
   return summary;
 }
 
-std::string_view name_of(scene::Feature::Support support) {
-  switch (support) {
-    case scene::Feature::Support::exact:
-      return "exact";
-    case scene::Feature::Support::approximated:
-      return "approximated";
-    case scene::Feature::Support::ignored:
-      break;
-  }
-  return "ignored";
-}
-
 }  // namespace barrido::cli

@@ -37,9 +37,6 @@ struct SceneSummary {
 
 SceneSummary summarize(const scene::Scene& scene);
 
-/// "exact", "approximated" or "ignored".
-std::string_view name_of(scene::Feature::Support support);
-
 /// The summary as text for people, ending in a line feed.
 std::string info_text(const scene::Scene& scene, const SceneSummary& summary);
 /// The same as a JSON object on several lines, ending in a line feed.

@@ -1,7 +1,6 @@
 #include "viewer/barrido/settings_file.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -10,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/files/write_file.h"
-#include "viewer/barrido/spelling.h"
+#include "viewer/barrido/text_format.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {
@@ -19,12 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestFile = 1 << 20;
-
-/// Options about the call, not about one picture.
-constexpr std::string_view kNotSettings[] = {"--output", "--sheet",   "--compression", "--hash",
-                                             "--stats",  "--quiet",   "--turntable",   "--frames",
-                                             "--fps",    "--threads", "--simd",        "--settings",
-                                             "--help",   "--report",  "--max-memory",  "--max-seconds"};
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -69,9 +62,7 @@ Json parse_object(const std::string& path, const std::string& text) {
 std::string number_text(const Json& number) {
   if (number.is_number_unsigned()) return std::to_string(number.get<std::uint64_t>());
   if (number.is_number_integer()) return std::to_string(number.get<std::int64_t>());
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number.get<double>()).ptr;
-  return {text.data(), end};
+  return shortest_double(number.get<double>());
 }
 
 /// A string or number as the command line would hold it; false for other things.
@@ -120,7 +111,7 @@ std::size_t find_setting(const std::string& path, const std::string& name,
                          std::span<const OptionSyntax> syntax) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < syntax.size(); ++i) {
-    if (!is_setting(syntax[i])) continue;
+    if (!syntax[i].is_setting()) continue;
     names.push_back(settings_name(syntax[i]));
     if (names.back() == name) return i;
   }
@@ -145,10 +136,6 @@ Json json_of(const std::string& text) {
 
 }  // namespace
 
-bool is_setting(const OptionSyntax& option) {
-  return std::find(std::begin(kNotSettings), std::end(kNotSettings), option.name) == std::end(kNotSettings);
-}
-
 std::string settings_name(const OptionSyntax& option) { return std::string(option.name.substr(2)); }
 
 std::vector<GivenOption> read_settings(const std::string& path, std::span<const OptionSyntax> syntax) {
@@ -167,7 +154,7 @@ std::string settings_json(std::span<const OptionSyntax> syntax, std::span<const 
   Json json = Json::object();
   for (const GivenOption& given : parse_arguments(syntax, words).options) {
     const OptionSyntax& option = syntax[given.index];
-    if (!is_setting(option)) continue;
+    if (!option.is_setting()) continue;
     Json& value = json[settings_name(option)];
     if (option.kind == OptionKind::flag) {
       value = true;

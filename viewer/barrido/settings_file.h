@@ -13,10 +13,6 @@
 
 namespace barrido::cli {
 
-/// Whether the option describes a picture; the others (where it goes to, how it is computed, more than one
-/// picture) have no place in a settings file.
-bool is_setting(const OptionSyntax& option);
-
 /// "camera-position" for "--camera-position".
 std::string settings_name(const OptionSyntax& option);
 

@@ -26,6 +26,14 @@ std::string shortest(float number) {
   return {text.data(), end};
 }
 
+std::string shortest_double(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+std::string shortest(const glm::vec3& v) { return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z); }
+
 std::size_t character_count(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include <glm/vec3.hpp>
+
 namespace barrido::cli {
 
 /// "1,234,567"
@@ -14,6 +16,10 @@ std::string fixed(double number, int digits);
 
 /// The shortest text that reads back as this float: "0.1", "1e+20".
 std::string shortest(float number);
+/// The same of a double.
+std::string shortest_double(double number);
+/// "0.1,2,3"
+std::string shortest(const glm::vec3& v);
 
 /// `text` with blanks before or after it to `width` characters (of UTF-8).
 std::string left(std::string text, std::size_t width);

@@ -3,15 +3,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "viewer/barrido/text_format.h"
+
 namespace barrido::cli {
 namespace {
-
-/// The shortest text of a bound: "0", "0.5", "16384".
-std::string bound_text(double bound) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bound).ptr;
-  return {digits.data(), end};
-}
 
 /// All of `text` as a number; a plus in front is allowed, as in "--exposure +1".
 template <class Number>
@@ -25,8 +20,8 @@ bool read_all(std::string_view text, Number& number) {
 
 std::string range_text(double least, double most) {
   if (least <= -kAnyNumber && most >= kAnyNumber) return "";
-  if (most >= kAnyNumber) return " of " + bound_text(least) + " or more";
-  return " in " + bound_text(least) + ".." + bound_text(most);
+  if (most >= kAnyNumber) return " of " + shortest_double(least) + " or more";
+  return " in " + shortest_double(least) + ".." + shortest_double(most);
 }
 
 double parse_number(std::string_view text, double least, double most) {
@@ -63,6 +58,17 @@ bool parse_numbers(std::string_view text, std::span<float> into, double least, d
     into[i] = static_cast<float>(number);
   }
   return true;
+}
+
+glm::vec3 parse_point(std::string_view text) {
+  const auto [x, y, z] = parse_tuple<3>(text, "X,Y,Z", -kAnyNumber, kAnyNumber);
+  return {x, y, z};
+}
+
+glm::vec3 parse_direction(std::string_view text) {
+  const glm::vec3 direction = parse_point(text);
+  if (direction == glm::vec3(0.0f)) throw ValueError("expected a direction, not 0,0,0");
+  return direction;
 }
 
 }  // namespace barrido::cli

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/barrido/text_format.h"
+#include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/values.h"
 #include "viewer/view/key_table.h"
 
@@ -53,16 +53,9 @@ float take_scale(std::vector<std::string>& words) {
 
 /// Options that a window has no use for.
 void refuse_useless(const cli::RenderOptions& options) {
-  const std::pair<const char*, bool> useless[] = {
-      {"--output", !options.output.empty()},
-      {"--sheet", options.sheet},
-      {"--hash", options.hash},
-      {"--stats", options.stats != cli::StatsFormat::none},
-      {"--turntable", options.turntable != 0},
-      {"--frames", options.frames.has_value()},
-  };
-  for (const auto& [name, given] : useless) {
-    if (given) throw cli::UsageError(std::string(name) + ": only for barrido render");
+  for (const cli::RenderOption& row : cli::render_option_table()) {
+    if (row.syntax.scope != cli::OptionScope::output || !row.is_given(options)) continue;
+    throw cli::UsageError(std::string(row.syntax.name) + ": only for barrido render");
   }
 }
 

@@ -6,19 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "raster/base/portable_math.h"
-#include "viewer/barrido/light_spec.h"
+#include "viewer/barrido/specs.h"
 #include "viewer/barrido/values.h"
-#include "viewer/view/render_words.h"
 
 namespace barrido::view {
 namespace {
-
-template <class Value>
-void step_optional(std::optional<Value>& value, int count, int step) {
-  const int now = value ? static_cast<int>(*value) + 1 : 0;
-  const int next = (now + step + count + 1) % (count + 1);
-  value = next == 0 ? std::nullopt : std::optional(static_cast<Value>(next - 1));
-}
 
 /// Three digits are enough for a distance that nobody measured.
 float rounded(double value) {
@@ -75,26 +67,6 @@ scene::UserLight user_light(const pipeline::Light& light) {
 
 }  // namespace
 
-void step_shading(cli::RenderOptions& options, int step) {
-  const int now = static_cast<int>(options.shadings.at(0));
-  options.shadings[0] = static_cast<pipeline::ShadeModel>((now + step + pipeline::kShadeModelCount) %
-                                                          pipeline::kShadeModelCount);
-}
-
-void step_view(cli::RenderOptions& options, int step) {
-  step_optional(options.views.at(0), inspect::kStructureViewCount, step);
-}
-
-void step_min_filter(cli::RenderOptions& options, int step) {
-  step_optional(options.settings.min_filter, 6, step);
-}
-
-void step_mag_filter(cli::RenderOptions& options, int step) {
-  step_optional(options.settings.mag_filter, 2, step);
-}
-
-void step_culling(cli::RenderOptions& options) { step_optional(options.settings.cull, 3, 1); }
-
 void step_fog(Viewer& viewer) {
   cli::RenderOptions& options = viewer.active();
   const std::optional<Look> look = viewer.look();
@@ -145,13 +117,9 @@ void toggle_light(cli::RenderOptions& options, int number) {
   }
 }
 
-void change_exposure(cli::RenderOptions& options, float stops) {
-  options.settings.exposure_ev = std::clamp(options.settings.exposure_ev + stops, -32.0f, 32.0f);
-}
-
 scene::UserLight canonical(const scene::UserLight& light) {
   try {
-    return cli::parse_light(light_text(light));
+    return cli::parse_light(cli::light_text(light));
   } catch (const cli::ValueError&) {
     return cli::parse_light("point");
   }

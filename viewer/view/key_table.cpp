@@ -1,19 +1,13 @@
 #include "viewer/view/key_table.h"
 
+#include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/text_format.h"
 #include "viewer/view/commands.h"
 
 namespace barrido::view {
 namespace {
 
-scene::RenderSettings& settings(Viewer& viewer) { return viewer.active().settings; }
-
 void ask(Viewer& viewer, Request request) { viewer.requests.push_back(request); }
-
-template <class Value>
-void swap_between(Value& value, Value one, Value other) {
-  value = value == one ? other : one;
-}
 
 template <int number>
 void toggle_light_number(Viewer& viewer) {
@@ -25,7 +19,7 @@ void toggle_difference(Viewer& viewer) {
   viewer.display.difference = !viewer.display.difference;
 }
 
-constexpr unsigned kNoModifier = kPlain;
+constexpr KeyAction step(std::string_view option, float by = 1.0f) { return {nullptr, option, by}; }
 
 constexpr KeyBinding kMouse[] = {
     {"Mouse", Key::none, 0, "Left drag", "orbit"},
@@ -37,57 +31,40 @@ constexpr KeyBinding kMouse[] = {
 };
 
 constexpr KeyBinding kCamera[] = {
-    {"Camera", Key::enter, kNoModifier, "Enter", "reset", [](Viewer& v) { v.reset_camera(); }},
-    {"Camera", key_of('1'), kNoModifier, "1", "front", [](Viewer& v) { v.look_from(StandardView::front); }},
-    {"Camera", key_of('3'), kNoModifier, "3", "right", [](Viewer& v) { v.look_from(StandardView::right); }},
-    {"Camera", key_of('7'), kNoModifier, "7", "top", [](Viewer& v) { v.look_from(StandardView::top); }},
-    {"Camera", key_of('9'), kNoModifier, "9", "isometric",
+    {"Camera", Key::enter, kPlain, "Enter", "reset", [](Viewer& v) { v.reset_camera(); }},
+    {"Camera", key_of('1'), kPlain, "1", "front", [](Viewer& v) { v.look_from(StandardView::front); }},
+    {"Camera", key_of('3'), kPlain, "3", "right", [](Viewer& v) { v.look_from(StandardView::right); }},
+    {"Camera", key_of('7'), kPlain, "7", "top", [](Viewer& v) { v.look_from(StandardView::top); }},
+    {"Camera", key_of('9'), kPlain, "9", "isometric",
      [](Viewer& v) { v.look_from(StandardView::isometric); }},
-    {"Camera", key_of('5'), kNoModifier, "5", "orthographic or perspective",
+    {"Camera", key_of('5'), kPlain, "5", "orthographic or perspective",
      [](Viewer& v) { v.toggle_orthographic(); }},
 };
 
 constexpr KeyBinding kShading[] = {
-    {"Shading", key_of('S'), kNoModifier, "S", "next: flat, Gouraud, cheap Phong, Phong",
-     [](Viewer& v) { step_shading(v.active(), 1); }},
-    {"Shading", key_of('S'), kShift, "Shift+S", "previous", [](Viewer& v) { step_shading(v.active(), -1); }},
-    {"Shading", key_of('B'), kNoModifier, "B", "highlights: N·H (Blinn) or R·V (Phong)",
-     [](Viewer& v) {
-       swap_between(settings(v).lighting, pipeline::SpecularModel::blinn, pipeline::SpecularModel::phong);
-     }},
-    {"Shading", key_of('O'), kNoModifier, "O", "colours: perspective or linear on the screen",
-     [](Viewer& v) {
-       swap_between(settings(v).color_interpolation, pipeline::ColorInterpolation::perspective,
-                    pipeline::ColorInterpolation::screen);
-     }},
-    {"Shading", key_of('K'), kNoModifier, "K", "culling: the materials', none, back, front",
-     [](Viewer& v) { step_culling(v.active()); }},
-    {"Shading", key_of('E'), kNoModifier, "E", "edges over the surfaces",
-     [](Viewer& v) { settings(v).overlays.edges = !settings(v).overlays.edges; }},
-    {"Shading", key_of('W'), kNoModifier, "W", "wireframe",
-     [](Viewer& v) { settings(v).wireframe = !settings(v).wireframe; }},
-    {"Shading", key_of('N'), kNoModifier, "N", "normals",
-     [](Viewer& v) { settings(v).overlays.normals = !settings(v).overlays.normals; }},
-    {"Shading", key_of('G'), kNoModifier, "G", "fog: none, linear, exp, exp2", step_fog},
+    {"Shading", key_of('S'), kPlain, "S", "next: flat, Gouraud, cheap Phong, Phong", step("--shading")},
+    {"Shading", key_of('S'), kShift, "Shift+S", "previous", step("--shading", -1)},
+    {"Shading", key_of('B'), kPlain, "B", "highlights: N·H (Blinn) or R·V (Phong)", step("--lighting")},
+    {"Shading", key_of('O'), kPlain, "O", "colours: perspective or linear on the screen",
+     step("--color-interpolation")},
+    {"Shading", key_of('K'), kPlain, "K", "culling: the materials', none, back, front", step("--cull")},
+    {"Shading", key_of('E'), kPlain, "E", "edges over the surfaces", step("--edges")},
+    {"Shading", key_of('W'), kPlain, "W", "wireframe", step("--wireframe")},
+    {"Shading", key_of('N'), kPlain, "N", "normals", step("--normals")},
+    {"Shading", key_of('G'), kPlain, "G", "fog: none, linear, exp, exp2", step_fog},
 };
 
 constexpr KeyBinding kTextures[] = {
-    {"Textures", key_of('T'), kNoModifier, "T", "textures on or off",
-     [](Viewer& v) { settings(v).textures = !settings(v).textures; }},
-    {"Textures", key_of('I'), kNoModifier, "I", "interpolation: perspective or affine",
-     [](Viewer& v) {
-       swap_between(settings(v).texture_interpolation, pipeline::TextureInterpolation::perspective,
-                    pipeline::TextureInterpolation::affine);
-     }},
-    {"Textures", key_of('F'), kNoModifier, "F", "next filter for minification, the file's first",
-     [](Viewer& v) { step_min_filter(v.active(), 1); }},
-    {"Textures", key_of('F'), kShift, "Shift+F", "previous",
-     [](Viewer& v) { step_min_filter(v.active(), -1); }},
-    {"Textures", key_of('M'), kNoModifier, "M", "next filter for magnification",
-     [](Viewer& v) { step_mag_filter(v.active(), 1); }},
-    {"Textures", key_of('R'), kNoModifier, "R",
-     "reflections: none, of the scene, of the environment's picture", step_environment},
-    {"Textures", key_of('U'), kNoModifier, "U", "the environment's picture as background",
+    {"Textures", key_of('T'), kPlain, "T", "textures on or off", step("--no-textures")},
+    {"Textures", key_of('I'), kPlain, "I", "interpolation: perspective or affine",
+     step("--texture-interpolation")},
+    {"Textures", key_of('F'), kPlain, "F", "next filter for minification, the file's first",
+     step("--min-filter")},
+    {"Textures", key_of('F'), kShift, "Shift+F", "previous", step("--min-filter", -1)},
+    {"Textures", key_of('M'), kPlain, "M", "next filter for magnification", step("--mag-filter")},
+    {"Textures", key_of('R'), kPlain, "R", "reflections: none, of the scene, of the environment's picture",
+     step_environment},
+    {"Textures", key_of('U'), kPlain, "U", "the environment's picture as background",
      toggle_environment_background},
 };
 
@@ -100,49 +77,41 @@ constexpr KeyBinding kLight[] = {
     {"", key_of('6'), kControl, "", "", toggle_light_number<6>},
     {"", key_of('7'), kControl, "", "", toggle_light_number<7>},
     {"", key_of('8'), kControl, "", "", toggle_light_number<8>},
-    {"Light", key_of('X'), kNoModifier, "X", "markers where the lights are",
-     [](Viewer& v) { settings(v).overlays.light_markers = !settings(v).overlays.light_markers; }},
-    {"Light", key_of('L'), kNoModifier, "L", "brighter by half a stop",
-     [](Viewer& v) { change_exposure(v.active(), 0.5f); }},
-    {"Light", key_of('L'), kShift, "Shift+L", "darker",
-     [](Viewer& v) { change_exposure(v.active(), -0.5f); }},
-    {"Light", key_of('J'), kNoModifier, "J", "tone map: clamp or Reinhard",
-     [](Viewer& v) {
-       swap_between(settings(v).tone_map, raster::ToneMap::clamp, raster::ToneMap::reinhard);
-     }},
-    {"Light", key_of('Y'), kNoModifier, "Y", "colours managed (sRGB) or as they are stored",
-     [](Viewer& v) {
-       swap_between(settings(v).color_management, scene::ColorManagement::srgb, scene::ColorManagement::none);
-     }},
+    {"Light", key_of('X'), kPlain, "X", "markers where the lights are", step("--light-markers")},
+    {"Light", key_of('L'), kPlain, "L", "brighter by half a stop", step("--exposure", 0.5f)},
+    {"Light", key_of('L'), kShift, "Shift+L", "darker", step("--exposure", -0.5f)},
+    {"Light", key_of('J'), kPlain, "J", "tone map: clamp or Reinhard", step("--tone-map")},
+    {"Light", key_of('Y'), kPlain, "Y", "colours managed (sRGB) or as they are stored",
+     step("--color-management")},
 };
 
 constexpr KeyBinding kCompare[] = {
-    {"Compare", key_of('D'), kNoModifier, "D", "split view: drag the divider",
+    {"Compare", key_of('D'), kPlain, "D", "split view: drag the divider",
      [](Viewer& v) { v.set_split(!v.display.split); }},
     {"Compare", key_of('D'), kShift, "Shift+D", "heat map of the two sides' difference", toggle_difference},
-    {"Compare", key_of('Q'), kNoModifier, "Q", "split view of the same draws: Barrido | OSMesa, an OpenGL",
+    {"Compare", key_of('Q'), kPlain, "Q", "split view of the same draws: Barrido | OSMesa, an OpenGL",
      [](Viewer& v) { v.set_osmesa(!v.display.osmesa); }},
-    {"Compare", key_of('V'), kNoModifier, "V",
+    {"Compare", key_of('V'), kPlain, "V",
      "next view: overdraw, texels, mip levels, depth, Mach bands ...",
-     [](Viewer& v) { step_view(v.active(), 1); }},
-    {"Compare", key_of('V'), kShift, "Shift+V", "previous", [](Viewer& v) { step_view(v.active(), -1); }},
-    {"Compare", key_of('P'), kNoModifier, "P", "inspector: why the pixel at the pointer looks as it does",
+     step("--view")},
+    {"Compare", key_of('V'), kShift, "Shift+V", "previous", step("--view", -1)},
+    {"Compare", key_of('P'), kPlain, "P", "inspector: why the pixel at the pointer looks as it does",
      [](Viewer& v) { v.display.inspector = !v.display.inspector; }},
-    {"Compare", key_of('A'), kNoModifier, "A", "keys change the other side",
+    {"Compare", key_of('A'), kPlain, "A", "keys change the other side",
      [](Viewer& v) {
        if (v.display.split) v.set_active_side(1 - v.active_side());
      }},
 };
 
 constexpr KeyBinding kFiles[] = {
-    {"Files", Key::right, kNoModifier, "Right", "next file", [](Viewer& v) { v.step_file(1); }},
-    {"Files", Key::left, kNoModifier, "Left", "previous file", [](Viewer& v) { v.step_file(-1); }},
-    {"Files", Key::up, kNoModifier, "Up", "read the file again", [](Viewer& v) { v.reload(); }},
-    {"Files", Key::space, kNoModifier, "Space", "play or stop the animation",
+    {"Files", Key::right, kPlain, "Right", "next file", [](Viewer& v) { v.step_file(1); }},
+    {"Files", Key::left, kPlain, "Left", "previous file", [](Viewer& v) { v.step_file(-1); }},
+    {"Files", Key::up, kPlain, "Up", "read the file again", [](Viewer& v) { v.reload(); }},
+    {"Files", Key::space, kPlain, "Space", "play or stop the animation",
      [](Viewer& v) { v.toggle_playing(); }},
-    {"Files", Key::f12, kNoModifier, "F12", "write the picture",
+    {"Files", Key::f12, kPlain, "F12", "write the picture",
      [](Viewer& v) { ask(v, Request::write_picture); }},
-    {"Files", key_of('C'), kNoModifier, "C", "copy the command line that draws this picture",
+    {"Files", key_of('C'), kPlain, "C", "copy the command line that draws this picture",
      [](Viewer& v) { ask(v, Request::copy_command_line); }},
     {"Files", key_of('S'), kControl, "Ctrl+S", "save the settings",
      [](Viewer& v) { ask(v, Request::save_settings); }},
@@ -151,12 +120,12 @@ constexpr KeyBinding kFiles[] = {
 };
 
 constexpr KeyBinding kWindow[] = {
-    {"Window", key_of('H'), kNoModifier, "H", "this help",
+    {"Window", key_of('H'), kPlain, "H", "this help",
      [](Viewer& v) { v.display.help = !v.display.help; }},
-    {"Window", Key::tab, kNoModifier, "Tab", "panel", [](Viewer& v) { v.display.panel = !v.display.panel; }},
-    {"Window", key_of('Z'), kNoModifier, "Z", "frame time and counters",
+    {"Window", Key::tab, kPlain, "Tab", "panel", [](Viewer& v) { v.display.panel = !v.display.panel; }},
+    {"Window", key_of('Z'), kPlain, "Z", "frame time and counters",
      [](Viewer& v) { v.display.counters = !v.display.counters; }},
-    {"Window", Key::escape, kNoModifier, "Esc", "close the help, or quit",
+    {"Window", Key::escape, kPlain, "Esc", "close the help, or quit",
      [](Viewer& v) {
        if (v.display.help) {
          v.display.help = false;
@@ -192,13 +161,21 @@ bool leaves_picture(const KeyBinding& binding) { return binding.section == "Wind
 
 }  // namespace
 
+void KeyAction::operator()(Viewer& viewer) const {
+  if (run != nullptr) {
+    run(viewer);
+  } else {
+    cli::step_option(viewer.active(), option, step);
+  }
+}
+
 std::span<const KeyBinding> key_table() { return kTable; }
 
 bool press(Viewer& viewer, Key key, unsigned modifiers) {
   for (const KeyBinding& binding : kTable) {
-    if (binding.run == nullptr || binding.key != key || binding.modifiers != modifiers) continue;
+    if (!binding.action || binding.key != key || binding.modifiers != modifiers) continue;
     const std::size_t asked = viewer.requests.size();
-    binding.run(viewer);
+    binding.action(viewer);
     if (!leaves_picture(binding) && viewer.requests.size() == asked) viewer.changed = true;
     return true;
   }

@@ -27,13 +27,30 @@ constexpr Key key_of(char character) { return static_cast<Key>(character); }
 
 enum Modifiers : unsigned { kPlain = 0, kShift = 1, kControl = 2 };
 
+/// What a key does: a function, or a step of an option.
+struct KeyAction {
+  void (*run)(Viewer& viewer) = nullptr;
+  std::string_view option{};
+  float step = 0.0f;
+
+  constexpr KeyAction() = default;
+  constexpr KeyAction(void (*function)(Viewer&), std::string_view name, float by)
+      : run(function), option(name), step(by) {}
+  /// A function, or a lambda that is one.
+  template <class Function>
+  constexpr KeyAction(Function function) : run(function) {}
+
+  explicit operator bool() const { return run != nullptr || !option.empty(); }
+  void operator()(Viewer& viewer) const;
+};
+
 struct KeyBinding {
   std::string_view section;  ///< Heading of the help
   Key key = Key::none;       ///< none: a line of the help about the mouse
   unsigned modifiers = kPlain;
   std::string_view name;  ///< "Shift+S"
   std::string_view help;
-  void (*run)(Viewer& viewer) = nullptr;
+  KeyAction action{};
 };
 
 std::span<const KeyBinding> key_table();

@@ -5,9 +5,8 @@
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/metering.h"
 #include "pipeline/scene/scene_nodes.h"
+#include "viewer/barrido/cost_report.h"
 #include "viewer/barrido/frame_plan.h"
-#include "viewer/barrido/frame_settings.h"
-#include "viewer/barrido/stopwatch.h"
 #include "viewer/sheet/view_picture.h"
 #include "viewer/view/render_words.h"
 

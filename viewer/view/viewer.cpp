@@ -5,6 +5,7 @@
 #include <exception>
 #include <tuple>
 
+#include "pipeline/names.h"
 #include "viewer/barrido/frame_plan.h"
 #include "viewer/view/render_words.h"
 
@@ -129,7 +130,7 @@ std::string Viewer::side_name(int side) const {
   if (display.osmesa) return side == kLeft ? "Barrido" : "OSMesa";
   const std::string letter = side == kLeft ? "A" : "B";
   const auto shading = [this](int of) { return sides_[static_cast<std::size_t>(of)].shadings.at(0); };
-  if (shading(kLeft) != shading(kRight)) return letter + "  " + std::string(cli::name_of(shading(side)));
+  if (shading(kLeft) != shading(kRight)) return letter + "  " + std::string(name_of(shading(side)));
   // Options with their values, in the same order on both sides.
   const std::vector<std::string> own = words_of_side(side), other = words_of_side(1 - side);
   std::string name = letter;

@@ -1,0 +1,32 @@
+// Names of a scene's enumerations, each with the word of the command line and of reports.
+#pragma once
+
+#include "pipeline/names.h"
+#include "pipeline/scene/render_scene.h"
+#include "pipeline/scene/scene.h"
+
+namespace barrido {
+
+template <>
+inline constexpr auto kNames<scene::Light::Kind> =
+    std::to_array<Named<scene::Light::Kind>>({{scene::Light::Kind::directional, "directional"},
+                                              {scene::Light::Kind::point, "point"},
+                                              {scene::Light::Kind::spot, "spot"}});
+
+template <>
+inline constexpr auto kNames<scene::UserLight::Space> = std::to_array<Named<scene::UserLight::Space>>(
+    {{scene::UserLight::Space::world, "world", "the world"},
+     {scene::UserLight::Space::camera, "camera", "the camera"}});
+
+template <>
+inline constexpr auto kNames<scene::Feature::Support> =
+    std::to_array<Named<scene::Feature::Support>>({{scene::Feature::Support::exact, "exact"},
+                                                   {scene::Feature::Support::approximated, "approximated"},
+                                                   {scene::Feature::Support::ignored, "ignored"}});
+
+template <>
+inline constexpr auto kNames<scene::ColorManagement> =
+    std::to_array<Named<scene::ColorManagement>>({{scene::ColorManagement::srgb, "srgb", "managed (sRGB)"},
+                                                  {scene::ColorManagement::none, "none", "as stored"}});
+
+}  // namespace barrido
