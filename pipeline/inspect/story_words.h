@@ -14,12 +14,12 @@
 namespace barrido {
 
 template <>
-inline constexpr auto kNames<inspect::Fate> = std::to_array<Named<inspect::Fate>>(
-    {{inspect::Fate::visible, "visible"},
-     {inspect::Fate::covered, "covered"},
-     {inspect::Fate::hidden, "hidden"},
-     {inspect::Fate::cut_out, "cut-out"},
-     {inspect::Fate::scissored, "scissored"}});
+inline constexpr auto kNames<inspect::Fate> =
+    std::to_array<Named<inspect::Fate>>({{inspect::Fate::visible, "visible"},
+                                         {inspect::Fate::covered, "covered"},
+                                         {inspect::Fate::hidden, "hidden"},
+                                         {inspect::Fate::cut_out, "cut-out"},
+                                         {inspect::Fate::scissored, "scissored"}});
 
 }  // namespace barrido
 

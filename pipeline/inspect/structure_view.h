@@ -33,17 +33,17 @@ enum class StructureView : std::uint8_t {
 namespace barrido {
 
 template <>
-inline constexpr auto kNames<inspect::StructureView> = std::to_array<Named<inspect::StructureView>>(
-    {{inspect::StructureView::overdraw, "overdraw"},
-     {inspect::StructureView::layers, "layers"},
-     {inspect::StructureView::illuminations, "illuminations"},
-     {inspect::StructureView::texels, "texels"},
-     {inspect::StructureView::mip_level, "mip-level"},
-     {inspect::StructureView::mip_colors, "mip-colors"},
-     {inspect::StructureView::triangles, "triangles"},
-     {inspect::StructureView::depth, "depth"},
-     {inspect::StructureView::normals, "normals"},
-     {inspect::StructureView::mach_bands, "mach-bands"}});
+inline constexpr auto kNames<inspect::StructureView> =
+    std::to_array<Named<inspect::StructureView>>({{inspect::StructureView::overdraw, "overdraw"},
+                                                  {inspect::StructureView::layers, "layers"},
+                                                  {inspect::StructureView::illuminations, "illuminations"},
+                                                  {inspect::StructureView::texels, "texels"},
+                                                  {inspect::StructureView::mip_level, "mip-level"},
+                                                  {inspect::StructureView::mip_colors, "mip-colors"},
+                                                  {inspect::StructureView::triangles, "triangles"},
+                                                  {inspect::StructureView::depth, "depth"},
+                                                  {inspect::StructureView::normals, "normals"},
+                                                  {inspect::StructureView::mach_bands, "mach-bands"}});
 
 }  // namespace barrido
 

@@ -243,13 +243,12 @@ void App::watch_file() {
 void App::set_title() {
   const std::string name =
       viewer_.path().empty() ? "" : std::filesystem::path(viewer_.path()).filename().string();
-  std::string title =
-      (name.empty() ? "" : name + " - ") + std::string(name_of(viewer_.active().shadings[0]));
+  std::string title = (name.empty() ? "" : name + " - ") + std::string(name_of(viewer_.active().shadings[0]));
   if (viewer_.display.split) {
-    title = (name.empty() ? "" : name + " - ") +
-            std::string(name_of(viewer_.side(view::kLeft).shadings[0])) + " | " +
-            (viewer_.display.osmesa ? "OSMesa"
-                                    : std::string(name_of(viewer_.side(view::kRight).shadings[0])));
+    title =
+        (name.empty() ? "" : name + " - ") + std::string(name_of(viewer_.side(view::kLeft).shadings[0])) +
+        " | " +
+        (viewer_.display.osmesa ? "OSMesa" : std::string(name_of(viewer_.side(view::kRight).shadings[0])));
   }
   title += " - barrido-view";
   if (title == title_) return;

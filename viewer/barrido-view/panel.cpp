@@ -28,23 +28,40 @@ void draw_head(view::Viewer& viewer, const std::string& status) {
   ImGui::TextDisabled("%s", status.empty() ? "H: keys   Tab: hide the panel" : status.c_str());
 }
 
-bool header(const char* label, bool open) {
-  return ImGui::CollapsingHeader(label, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+struct Part {
+  std::string_view heading;
+  bool open = false;
+  bool (*by_hand)(view::Viewer& viewer) = nullptr;  ///< Drawn below the widgets of the options.
+};
+
+constexpr Part kParts[] = {
+    {"Shading", true},
+    {"Lights", true, draw_lights},
+    {"Textures", true},
+    {"Compare A | B", false, draw_compare},
+    {"Material", false, draw_material},
+    {"Environment", false, draw_environment},
+    {"Fog", false, draw_fog},
+    {"Camera", false, draw_camera},
+    {"Colour", false, draw_background},
+    {"Animation", false, draw_animation},
+};
+
+bool draw_part(view::Viewer& viewer, const Part& part) {
+  bool changed = false;
+  for (const cli::RenderOption& row : cli::render_option_table()) {
+    if (row.heading() == part.heading) changed |= draw_option(viewer.active(), row);
+  }
+  if (part.by_hand != nullptr) changed |= part.by_hand(viewer);
+  return changed;
 }
 
 bool draw_parts(view::Viewer& viewer) {
-  cli::RenderOptions& options = viewer.active();
   bool changed = false;
-  if (header("Shading", true)) changed |= draw_shading(options);
-  if (header("Lights", true)) changed |= draw_lights(viewer);
-  if (header("Textures", true)) changed |= draw_textures(options);
-  if (header("Compare A | B", false)) changed |= draw_compare(viewer);
-  if (header("Material", false)) changed |= draw_material(options);
-  if (header("Environment", false)) changed |= draw_environment(viewer);
-  if (header("Fog", false)) changed |= draw_fog(viewer);
-  if (header("Camera", false)) changed |= draw_camera(viewer);
-  if (header("Colour", false)) changed |= draw_color(options);
-  if (header("Animation", false)) changed |= draw_animation(viewer);
+  for (const Part& part : kParts) {
+    const auto open = part.open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+    if (ImGui::CollapsingHeader(part.heading.data(), open)) changed |= draw_part(viewer, part);
+  }
   return changed;
 }
 

@@ -1,67 +1,76 @@
-// Shading, textures, colour, fog and animation in the panel.
+// Widgets that follow from the rows of the options; background, fog and animation by hand.
 #include "viewer/barrido-view/panel_parts.h"
 #include "viewer/view/commands.h"
 
 namespace barrido::window {
 namespace {
 
-/// Of "picture" and all views.
-const std::array<const char*, inspect::kStructureViewCount + 1>& view_names() {
-  static const auto names = [] {
-    std::array<const char*, inspect::kStructureViewCount + 1> all{"picture"};
-    for (std::size_t i = 1; i < all.size(); ++i) {
-      all[i] = inspect::name_of(static_cast<inspect::StructureView>(i - 1)).data();
-    }
-    return all;
-  }();
-  return names;
+/// Entries from −1 (no value) or 0 on.
+bool choose(cli::RenderOptions& options, const cli::RenderOption& row) {
+  const int chosen = row.chosen(options);
+  // Names are literals, so each ends in a zero byte.
+  const auto name = [&row](int place) {
+    return place < 0 ? row.editor.without.data() : row.value.titles[static_cast<std::size_t>(place)].data();
+  };
+  if (!ImGui::BeginCombo(row.editor.label.data(), name(chosen))) return false;
+  bool changed = false;
+  for (int place = row.value.is_optional ? -1 : 0; place < static_cast<int>(row.value.titles.size());
+       ++place) {
+    if (!ImGui::Selectable(name(place), place == chosen)) continue;
+    row.choose(options, place);
+    changed = place != chosen;
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+bool toggle(cli::RenderOptions& options, const cli::RenderOption& row) {
+  bool on = row.value.write(options).empty() == row.editor.inverted;
+  if (!ImGui::Checkbox(row.editor.label.data(), &on)) return false;
+  cli::step_option(options, row.syntax.name, 1.0f);
+  return true;
+}
+
+bool slide(cli::RenderOptions& options, const cli::RenderOption& row) {
+  const auto [least, most] = row.editor.slider;
+  const auto draw = [&, least = least, most = most](float& number) {
+    return ImGui::SliderFloat(row.editor.label.data(), &number, static_cast<float>(least),
+                              static_cast<float>(most), row.editor.format, ImGuiSliderFlags_AlwaysClamp);
+  };
+  const std::optional<double> number = row.number(options);
+  std::optional<float> shown;
+  if (number) shown = static_cast<float>(*number);
+  const bool changed = row.value.is_optional
+                           ? optional_value(row.editor.label.data(), shown, row.editor.start, draw)
+                           : draw(*shown);
+  if (!changed) return false;
+  if (shown) {
+    row.set_number(options, static_cast<double>(*shown));
+  } else {
+    row.assign(options, std::nullopt);
+  }
+  return true;
 }
 
 }  // namespace
 
-bool draw_shading(cli::RenderOptions& options) {
-  scene::RenderSettings& s = options.settings;
-  bool changed = choose("shows", options.views[0], view_names());
-  if (options.views[0])
-    ImGui::TextWrapped("%s", std::string(inspect::description_of(*options.views[0])).c_str());
-  changed |= choose("shading", options.shadings[0], std::array{"flat", "Gouraud", "cheap Phong", "Phong"});
-  changed |= choose("highlights", s.lighting, std::array{"N·H (Blinn)", "R·V (Phong)"});
-  changed |= choose("flat, lit at", s.flat_at, std::array{"provoking vertex", "centroid"});
-  changed |= choose("cheap, power at", s.cheap_phong_power, std::array{"pixel", "vertex"});
-  changed |= choose("colours", s.color_interpolation, std::array{"perspective", "linear on screen"});
-  changed |= choose("culling", s.cull, std::array{"the materials'", "none", "back", "front"});
-  changed |= ImGui::Checkbox("edges", &s.overlays.edges);
-  ImGui::SameLine();
-  changed |= ImGui::Checkbox("wireframe", &s.wireframe);
-  ImGui::SameLine();
-  changed |= ImGui::Checkbox("normals", &s.overlays.normals);
-  changed |= optional_value("smooth normals", s.crease_angle_deg, 40.0f, [](float& degrees) {
-    return ImGui::SliderFloat("crease", &degrees, 0.0f, 180.0f, "%.0f deg", ImGuiSliderFlags_AlwaysClamp);
-  });
+bool draw_option(cli::RenderOptions& options, const cli::RenderOption& row) {
+  if (row.editor.kind != cli::Editor::Kind::widget) return false;
+  if (row.editor.beside) ImGui::SameLine();
+  ImGui::PushID(row.syntax.name.data());
+  const bool changed = row.value.kind == cli::OptionKind::flag ? toggle(options, row)
+                       : row.value.names.empty()               ? slide(options, row)
+                                                               : choose(options, row);
+  const std::string_view note = row.editor.note != nullptr ? row.editor.note(options) : std::string_view();
+  if (!note.empty()) ImGui::TextWrapped("%s", note.data());
+  ImGui::PopID();
   return changed;
 }
 
-bool draw_textures(cli::RenderOptions& options) {
-  scene::RenderSettings& s = options.settings;
-  bool changed = ImGui::Checkbox("textures", &s.textures);
-  changed |= choose("interpolation", s.texture_interpolation, std::array{"perspective", "affine"});
-  changed |= choose("smaller", s.min_filter,
-                    std::array{"the file's", "nearest", "linear", "nearest mip nearest", "linear mip nearest",
-                               "nearest mip linear", "linear mip linear"});
-  changed |= choose("larger", s.mag_filter, std::array{"the file's", "nearest", "linear"});
-  return changed;
-}
-
-bool draw_color(cli::RenderOptions& options) {
-  scene::RenderSettings& s = options.settings;
-  bool changed =
-      ImGui::SliderFloat("exposure", &s.exposure_ev, -8.0f, 8.0f, "%.2f EV", ImGuiSliderFlags_AlwaysClamp);
-  changed |= choose("tone map", s.tone_map, std::array{"clamp", "Reinhard"});
-  changed |= choose("colours", s.color_management, std::array{"managed (sRGB)", "as stored"});
-  changed |= optional_value(
-      "background", options.background_shown, std::array<float, 4>{0.2f, 0.2f, 0.2f, 1.0f},
+bool draw_background(view::Viewer& viewer) {
+  return optional_value(
+      "background", viewer.active().background_shown, std::array<float, 4>{0.2f, 0.2f, 0.2f, 1.0f},
       [](std::array<float, 4>& color) { return ImGui::ColorEdit3("background", color.data()); });
-  return changed;
 }
 
 bool draw_fog(view::Viewer& viewer) {
@@ -75,7 +84,7 @@ bool draw_fog(view::Viewer& viewer) {
   if (!options.fog) return changed;
   raster::FogState& fog = options.fog->state;
   ImGui::SameLine();
-  ImGui::TextUnformatted(fog.mode == FogMode::linear ? "linear" : fog.mode == FogMode::exp ? "exp" : "exp2");
+  ImGui::TextUnformatted(name_of(fog.mode).data());
   if (fog.mode == FogMode::linear) {
     changed |= ImGui::DragFloat("start", &fog.start, 0.02f);
     changed |= ImGui::DragFloat("end", &fog.end, 0.02f);

@@ -1,43 +1,45 @@
-// Pieces of the panel. Each draws its widgets for the options of one side and returns whether something was
-// changed; values that the command line would refuse are put right by the caller.
+// Pieces of the panel. Each draws its widgets and returns whether something was changed; values that the
+// command line would refuse are put right by the caller.
 #pragma once
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
+#include "viewer/barrido/render_option_table.h"
 #include "viewer/view/viewer.h"
 
 namespace barrido::window {
 
-bool draw_shading(cli::RenderOptions& options);
-bool draw_textures(cli::RenderOptions& options);
+/// The widget of an option, from its row of the table; nothing for options that have none.
+bool draw_option(cli::RenderOptions& options, const cli::RenderOption& row);
+
 bool draw_environment(view::Viewer& viewer);
 bool draw_lights(view::Viewer& viewer);
-bool draw_material(cli::RenderOptions& options);
+bool draw_material(view::Viewer& viewer);
 bool draw_camera(view::Viewer& viewer);
 bool draw_fog(view::Viewer& viewer);
-bool draw_color(cli::RenderOptions& options);
+bool draw_background(view::Viewer& viewer);
 bool draw_animation(view::Viewer& viewer);
 bool draw_compare(view::Viewer& viewer);
 
-/// A list of the names of an enumeration, in its order.
-template <class Value, std::size_t Count>
-bool choose(const char* label, Value& value, const std::array<const char*, Count>& names) {
-  int index = static_cast<int>(value);
-  if (!ImGui::Combo(label, &index, names.data(), static_cast<int>(Count))) return false;
-  value = static_cast<Value>(index);
-  return true;
-}
-
-/// The same with "the file's" in front for no value; `names` begins with the text for that.
-template <class Value, std::size_t Count>
-bool choose(const char* label, std::optional<Value>& value, const std::array<const char*, Count>& names) {
-  int index = value ? static_cast<int>(*value) + 1 : 0;
-  if (!ImGui::Combo(label, &index, names.data(), static_cast<int>(Count))) return false;
-  value = index == 0 ? std::nullopt : std::optional(static_cast<Value>(index - 1));
-  return true;
+/// A list of the names of an enumeration.
+template <class Value>
+bool choose(const char* label, Value& value) {
+  bool changed = false;
+  const auto names = names_of<Value>();
+  const auto now =
+      std::find_if(names.begin(), names.end(), [&](const auto& row) { return row.value == value; });
+  if (!ImGui::BeginCombo(label, now->title.data())) return false;
+  for (const Named<Value>& row : names) {
+    if (!ImGui::Selectable(row.title.data(), row.value == value)) continue;
+    changed = row.value != value;
+    value = row.value;
+  }
+  ImGui::EndCombo();
+  return changed;
 }
 
 /// A box to switch a value on, and its widget: `widget(value)` returns whether it was changed.

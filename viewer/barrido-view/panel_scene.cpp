@@ -6,7 +6,7 @@
 
 #include "raster/base/portable_math.h"
 #include "viewer/barrido-view/panel_parts.h"
-#include "viewer/barrido/light_spec.h"
+#include "viewer/barrido/specs.h"
 #include "viewer/view/commands.h"
 
 namespace barrido::window {
@@ -52,9 +52,9 @@ void change_kind(scene::UserLight& user, Kind kind) {
 bool edit_light(scene::UserLight& user, float reach) {
   scene::Light& light = user.light;
   Kind kind = light.kind;
-  bool changed = choose("type", kind, std::array{"directional", "point", "spot"});
+  bool changed = choose("type", kind);
   if (changed) change_kind(user, kind);
-  changed |= choose("moves with", user.space, std::array{"the world", "the camera"});
+  changed |= choose("moves with", user.space);
   changed |= ImGui::ColorEdit3("colour", &light.color.x, ImGuiColorEditFlags_Float);
   changed |= ImGui::DragFloat("intensity", &*light.exact_intensity, 0.01f, -1e6f, 1e6f, "%.3f",
                               ImGuiSliderFlags_AlwaysClamp);
@@ -89,8 +89,7 @@ bool edit_own_lights(view::Viewer& viewer, float reach) {
     }
     ImGui::SameLine();
     bool removed = false;
-    constexpr const char* kKinds[] = {"directional", "point", "spot"};
-    const char* const kind = kKinds[static_cast<std::size_t>(lights[i].light.kind)];
+    const char* const kind = name_of(lights[i].light.kind).data();
     if (ImGui::TreeNode("light", "light %d, %s", static_cast<int>(i) + 1, kind)) {
       if (edit_light(lights[i], reach)) {
         lights[i] = view::canonical(lights[i]);
@@ -127,9 +126,11 @@ bool edit_coefficient(const char* label, std::optional<glm::vec3>& value, const 
 bool draw_lights(view::Viewer& viewer) {
   scene::RenderSettings& s = viewer.active().settings;
   const float reach = reach_of(viewer);
-  bool changed = ImGui::Checkbox("markers", &s.overlays.light_markers);
-  ImGui::SameLine();
-  if (s.lights.empty()) changed |= ImGui::Checkbox("only ambient", &s.no_lights);
+  bool changed = false;
+  if (s.lights.empty()) {
+    ImGui::SameLine();
+    changed |= ImGui::Checkbox("only ambient", &s.no_lights);
+  }
   changed |= edit_coefficient("ambient", s.ambient, glm::vec3(0.05f));
   if (s.lights.empty() && viewer.model() != nullptr) {
     ImGui::TextDisabled(viewer.model()->scene().lights.empty() ? "key, fill and back light"
@@ -150,8 +151,8 @@ bool draw_lights(view::Viewer& viewer) {
   return changed;
 }
 
-bool draw_material(cli::RenderOptions& options) {
-  scene::MaterialOverride& m = options.settings.material;
+bool draw_material(view::Viewer& viewer) {
+  scene::MaterialOverride& m = viewer.active().settings.material;
   const auto slide = [](const char* label) {
     return [label](float& value) {
       return ImGui::SliderFloat(label, &value, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);

@@ -71,9 +71,7 @@ int animation_of(const RenderOptions& options, const FileFacts& file) {
                                            : "only animations 0 to " + std::to_string(file.animations - 1)));
 }
 
-std::string view_name(const PlannedFrame& frame) {
-  return std::string(name_of(frame.view));
-}
+std::string view_name(const PlannedFrame& frame) { return std::string(name_of(frame.view)); }
 
 FrameName name_of_frame(const std::string& path, const PlannedFrame& frame) {
   return {model_name(path), std::string(name_of(frame.shading)),

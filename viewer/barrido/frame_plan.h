@@ -1,6 +1,6 @@
 // Which frames a call of `barrido render` makes, in which order and under which names, and what the renderer
-// is given for each. Enters: the options and a few facts of a loaded file; leaves: a list, and settings. Draws
-// and writes nothing.
+// is given for each. Enters: the options and a few facts of a loaded file; leaves: a list, and settings.
+// Draws and writes nothing.
 #pragma once
 
 #include <memory>

@@ -121,8 +121,7 @@ constexpr SpecKey<UserLight> kKeys[] = {
        user.light.spot_exponent = static_cast<float>(parse_number(text, 0.0, 1e6));
      },
      [](const UserLight& user) { return text_unless(user.light.spot_exponent.value_or(0.0f), 0.0f); }},
-    {"space", kAny,
-     [](UserLight& user, Text text) { user.space = parse_name<UserLight::Space>(text); },
+    {"space", kAny, [](UserLight& user, Text text) { user.space = parse_name<UserLight::Space>(text); },
      [](const UserLight& user) {
        return user.space == UserLight::Space::world ? std::string() : std::string(name_of(user.space));
      }},

@@ -179,7 +179,7 @@ constexpr OptionValue vector(Range range = {}) {
     const auto [x, y, z] = parse_tuple<3>(text, row.syntax.form, least, most);
     fields::of<member>(o) = glm::vec3(x, y, z);
   };
-  value.write = [](const RenderOptions& o) { 
+  value.write = [](const RenderOptions& o) {
     return fields::written<member>(o, [](const glm::vec3& v) { return shortest(v); });
   };
   value.range = range;

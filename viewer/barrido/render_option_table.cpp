@@ -106,10 +106,11 @@ constexpr RenderOption kOutputOptions[] = {
 };
 
 constexpr RenderOption kShadingOptions[] = {
-    option("--shading", "LIST", kPicture,
-           "flat, gouraud, cheap-phong, phong, several with commas between, or all; a frame for each. Default "
-           "phong.",
-           choices<&Options::shadings>(), widget("shading")),
+    option(
+        "--shading", "LIST", kPicture,
+        "flat, gouraud, cheap-phong, phong, several with commas between, or all; a frame for each. Default "
+        "phong.",
+        choices<&Options::shadings>(), widget("shading")),
     option("--flat-at", "PLACE", kPicture,
            "Where flat polygons are lit: centroid (default) or provoking (vertex, as OpenGL).",
            choice<&Settings::flat_at>(), widget("flat, lit at")),
@@ -187,10 +188,11 @@ constexpr RenderOption kCameraOptions[] = {
            "Cameras of the file, from 0, several with commas between, or all; a frame for each. none frames "
            "the model. Default: the first; a file without cameras is framed.",
            custom<read_cameras, camera_texts>(), by_hand("Camera")),
-    option("--camera-position", "X,Y,Z", kPicture,
-           "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle "
-           "and the near and far plane stay.",
-           vector<&Camera::position>(), by_hand("Camera")),
+    option(
+        "--camera-position", "X,Y,Z", kPicture,
+        "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle "
+        "and the near and far plane stay.",
+        vector<&Camera::position>(), by_hand("Camera")),
     option("--camera-focal-point", "X,Y,Z", kPicture, "What the eye looks at. Default: the model's middle.",
            vector<&Camera::focal_point>(), by_hand("Camera")),
     option("--camera-view-angle", "DEG", kPicture, "Vertical field of view, 1..170.",
@@ -262,9 +264,9 @@ struct Section {
 };
 
 constexpr Section kSections[] = {
-    {"Output", kOutputOptions},       {"Shading", kShadingOptions}, {"Textures", kTextureOptions},
-    {"Lights", kLightOptions},        {"Camera", kCameraOptions},   {"Animation", kAnimationOptions},
-    {"Colour", kColourOptions},       {"Execution", kExecutionOptions},
+    {"Output", kOutputOptions}, {"Shading", kShadingOptions},     {"Textures", kTextureOptions},
+    {"Lights", kLightOptions},  {"Camera", kCameraOptions},       {"Animation", kAnimationOptions},
+    {"Colour", kColourOptions}, {"Execution", kExecutionOptions},
 };
 
 constexpr std::size_t kCount = [] {

@@ -36,8 +36,8 @@ std::string list_text(const std::vector<int>& numbers, int offset) {
 
 void read_resolution(RenderOptions& options, std::string_view text) {
   const std::string most = std::to_string(raster::kMaxFrameSide);
-  const auto [width, height] = parse_pair(text, ',', 1, raster::kMaxFrameSide,
-                                          "expected W,H, two whole numbers in 1.." + most);
+  const auto [width, height] =
+      parse_pair(text, ',', 1, raster::kMaxFrameSide, "expected W,H, two whole numbers in 1.." + most);
   options.settings.width = width;
   options.settings.height = height;
 }
@@ -47,8 +47,8 @@ Texts resolution_text(const RenderOptions& options) {
 }
 
 void read_stats(RenderOptions& options, std::string_view text) {
-  options.stats =
-      text.empty() ? StatsFormat::text : parse_choice(text, std::span<const Named<StatsFormat>>(kStatsFormats));
+  options.stats = text.empty() ? StatsFormat::text
+                               : parse_choice(text, std::span<const Named<StatsFormat>>(kStatsFormats));
 }
 
 Texts stats_text(const RenderOptions& options) {
@@ -167,8 +167,8 @@ void read_up(RenderOptions& options, std::string_view text) {
 Texts up_text(const RenderOptions& options) { return {shortest(options.settings.camera.up)}; }
 
 void read_frames(RenderOptions& options, std::string_view text) {
-  const std::string otherwise = "expected A:B, two whole numbers in 0.." +
-                                std::to_string(kLargestFrameNumber) + ", A not above B";
+  const std::string otherwise =
+      "expected A:B, two whole numbers in 0.." + std::to_string(kLargestFrameNumber) + ", A not above B";
   const auto [first, last] = parse_pair(text, ':', 0, kLargestFrameNumber, otherwise);
   if (first > last) throw ValueError(otherwise);
   options.frames = FrameRange{first, last};

@@ -45,7 +45,8 @@ constexpr SpecKey<Material> kMaterialKeys[] = {
      [](const Material& m) { return text_of(m.exact.specular); }},
     {"emission", ~0u, [](Material& m, Text text) { m.exact.emission = parse_coefficient(text); },
      [](const Material& m) { return text_of(m.exact.emission); }},
-    {"shininess", ~0u, [](Material& m, Text text) { m.exact.shininess = parse_float(text, kLargestShininess); },
+    {"shininess", ~0u,
+     [](Material& m, Text text) { m.exact.shininess = parse_float(text, kLargestShininess); },
      [](const Material& m) { return text_of(m.exact.shininess); }},
 };
 
@@ -79,7 +80,9 @@ Material parse_material(std::string_view spec) {
   return material;
 }
 
-std::string material_text(const Material& material) { return write_keys<Material>("", material, kMaterialKeys); }
+std::string material_text(const Material& material) {
+  return write_keys<Material>("", material, kMaterialKeys);
+}
 
 // The two values of a fog are told apart by their places; keys would say no more.
 FogChoice parse_fog(std::string_view spec) {
@@ -89,7 +92,8 @@ FogChoice parse_fog(std::string_view spec) {
   fog.state.mode = parse_name<raster::FogMode>(pieces[0]);
   const bool linear = fog.state.mode == raster::FogMode::linear;
   if (pieces.size() < 2 || pieces.size() > 3) {
-    throw ValueError("expected " + std::string(pieces[0]) + (linear ? ":START,END" : ":DENSITY") + "[:R,G,B]");
+    throw ValueError("expected " + std::string(pieces[0]) + (linear ? ":START,END" : ":DENSITY") +
+                     "[:R,G,B]");
   }
   if (linear) {
     const auto [start, end] = parse_tuple<2>(pieces[1], "START,END", -kAnyNumber, kAnyNumber);

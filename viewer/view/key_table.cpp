@@ -91,8 +91,7 @@ constexpr KeyBinding kCompare[] = {
     {"Compare", key_of('D'), kShift, "Shift+D", "heat map of the two sides' difference", toggle_difference},
     {"Compare", key_of('Q'), kPlain, "Q", "split view of the same draws: Barrido | OSMesa, an OpenGL",
      [](Viewer& v) { v.set_osmesa(!v.display.osmesa); }},
-    {"Compare", key_of('V'), kPlain, "V",
-     "next view: overdraw, texels, mip levels, depth, Mach bands ...",
+    {"Compare", key_of('V'), kPlain, "V", "next view: overdraw, texels, mip levels, depth, Mach bands ...",
      step("--view")},
     {"Compare", key_of('V'), kShift, "Shift+V", "previous", step("--view", -1)},
     {"Compare", key_of('P'), kPlain, "P", "inspector: why the pixel at the pointer looks as it does",
@@ -120,8 +119,7 @@ constexpr KeyBinding kFiles[] = {
 };
 
 constexpr KeyBinding kWindow[] = {
-    {"Window", key_of('H'), kPlain, "H", "this help",
-     [](Viewer& v) { v.display.help = !v.display.help; }},
+    {"Window", key_of('H'), kPlain, "H", "this help", [](Viewer& v) { v.display.help = !v.display.help; }},
     {"Window", Key::tab, kPlain, "Tab", "panel", [](Viewer& v) { v.display.panel = !v.display.panel; }},
     {"Window", key_of('Z'), kPlain, "Z", "frame time and counters",
      [](Viewer& v) { v.display.counters = !v.display.counters; }},

@@ -236,7 +236,7 @@ TEST(ViewPicture, LegendStandsBelowAndMovesNothing) {
   const RenderSettings settings = small_frame(ShadeModel::gouraud);
   for (int i = 0; i < kStructureViewCount; ++i) {
     const auto view = static_cast<StructureView>(i);
-    EXPECT_EQ(structure_view_of(name_of(view)), view);
+    EXPECT_FALSE(description_of(view).empty());
     const ViewValues values = measure_view(renderer, settings, view);
     const raster::Framebuffer plain = sheet::view_picture(values, false);
     const raster::Framebuffer with = sheet::view_picture(values, true);

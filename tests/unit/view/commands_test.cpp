@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/barrido/render_option_table.h"
+
 namespace barrido::view {
 namespace {
 
@@ -16,22 +18,22 @@ TEST(Commands, ShadingGoesRoundBothWays) {
   options.shadings = {ShadeModel::flat};
   for (const ShadeModel next :
        {ShadeModel::gouraud, ShadeModel::cheap_phong, ShadeModel::phong, ShadeModel::flat}) {
-    step_shading(options, 1);
-    EXPECT_EQ(options.shadings[0], next);
+    cli::step_option(options, "--shading", 1);
+    EXPECT_EQ(options.shadings, std::vector{next});
   }
-  step_shading(options, -1);
-  EXPECT_EQ(options.shadings[0], ShadeModel::phong);
+  cli::step_option(options, "--shading", -1);
+  EXPECT_EQ(options.shadings, std::vector{ShadeModel::phong});
 }
 
 TEST(Commands, FiltersBeginWithTheFiles) {
   cli::RenderOptions options;
-  step_min_filter(options, 1);
+  cli::step_option(options, "--min-filter", 1);
   EXPECT_EQ(options.settings.min_filter, raster::MinFilter::nearest);
-  step_min_filter(options, -1);
+  cli::step_option(options, "--min-filter", -1);
   EXPECT_FALSE(options.settings.min_filter);
-  step_min_filter(options, -1);
+  cli::step_option(options, "--min-filter", -1);
   EXPECT_EQ(options.settings.min_filter, raster::MinFilter::linear_mipmap_linear);
-  step_min_filter(options, 1);
+  cli::step_option(options, "--min-filter", 1);
   EXPECT_FALSE(options.settings.min_filter);
 }
 
@@ -46,7 +48,7 @@ TEST(Commands, LightsAreSwitchedByNumber) {
 
 TEST(Commands, ExposureStaysWithinTheOptionsBounds) {
   cli::RenderOptions options;
-  for (int i = 0; i < 100; ++i) change_exposure(options, 0.5f);
+  for (int i = 0; i < 100; ++i) cli::step_option(options, "--exposure", 0.5f);
   EXPECT_EQ(options.settings.exposure_ev, 32.0f);
 }
 

@@ -5,15 +5,29 @@
 
 #include <set>
 
+#include "viewer/barrido/render_option_table.h"
+
 namespace barrido::view {
 namespace {
 
 TEST(KeyTable, NoKeyIsBoundTwice) {
   std::set<std::pair<int, unsigned>> bound;
   for (const KeyBinding& binding : key_table()) {
-    if (binding.run == nullptr) continue;
+    if (!binding.action) continue;
     EXPECT_TRUE(bound.emplace(static_cast<int>(binding.key), binding.modifiers).second) << binding.name;
   }
+}
+
+TEST(KeyTable, StepsAreOfOptionsWithAWidget) {
+  int steps = 0;
+  for (const KeyBinding& binding : key_table()) {
+    if (binding.action.option.empty()) continue;
+    const cli::RenderOption& row = cli::render_option(binding.action.option);
+    EXPECT_EQ(row.editor.kind, cli::Editor::Kind::widget) << binding.name;
+    EXPECT_NE(binding.action.step, 0.0f);
+    ++steps;
+  }
+  EXPECT_GE(steps, 19);
 }
 
 TEST(KeyTable, HelpNamesEveryKeyThatIsBound) {
@@ -37,7 +51,7 @@ TEST(KeyTable, EveryKeyLeavesOptionsThatCanBeRead) {
   for (int i = 0; i < 2000; ++i) {
     state = state * 1664525u + 1013904223u;
     const KeyBinding& binding = key_table()[(state >> 8) % key_table().size()];
-    if (binding.run == nullptr || binding.key == Key::up) continue;
+    if (!binding.action || binding.key == Key::up) continue;
     press(viewer, binding.key, binding.modifiers);
     viewer.requests.clear();
     viewer.message.clear();

@@ -7,9 +7,9 @@
 
 #include "raster/base/portable_math.h"
 #include "tests/unit/view/random_options.h"
-#include "viewer/barrido/light_spec.h"
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/settings_file.h"
+#include "viewer/barrido/specs.h"
 
 namespace barrido::view {
 namespace {
@@ -41,7 +41,7 @@ TEST(RenderWords, KnowEveryOptionOfAPicture) {
   rare.settings.scene_index = 1;
   for (const std::string& word : words_of(rare)) written.insert(word);
   for (const cli::RenderOption& option : cli::render_option_table()) {
-    if (!cli::is_setting(option.syntax)) continue;
+    if (!option.syntax.is_setting()) continue;
     EXPECT_TRUE(written.contains(std::string(option.syntax.name))) << option.syntax.name;
   }
 }
@@ -49,7 +49,7 @@ TEST(RenderWords, KnowEveryOptionOfAPicture) {
 TEST(RenderWords, PresetLightsKeepTheirNumbers) {
   for (const char* preset : {"key", "fill", "back"}) {
     const scene::UserLight light = cli::parse_light(preset);
-    const scene::UserLight again = cli::parse_light(light_text(light));
+    const scene::UserLight again = cli::parse_light(cli::light_text(light));
     EXPECT_EQ(again.direction, light.direction) << preset;
     EXPECT_EQ(again.light.exact_intensity, light.light.exact_intensity) << preset;
     EXPECT_EQ(again.space, light.space) << preset;
@@ -60,7 +60,8 @@ TEST(RenderWords, AnglesOfConesAreReadBackAsTheSameRadians) {
   for (int tenths = 0; tenths <= 900; ++tenths) {
     const std::string cone = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
     const scene::UserLight light = cli::parse_light("spot:cutoff=" + cone);
-    EXPECT_EQ(cli::parse_light(light_text(light)).light.outer_cone_rad, light.light.outer_cone_rad) << cone;
+    EXPECT_EQ(cli::parse_light(cli::light_text(light)).light.outer_cone_rad, light.light.outer_cone_rad)
+        << cone;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "pipeline/gltf/import_gltf.h"
-#include "viewer/barrido/frame_settings.h"
+#include "viewer/barrido/frame_plan.h"
 #include "viewer/view/commands.h"
 #include "viewer/view/key_table.h"
 #include "viewer/view/render_words.h"

@@ -1,9 +1,9 @@
 // Fog from text.
-#include "viewer/barrido/fog_spec.h"
-
 #include <gtest/gtest.h>
 
-#include "viewer/barrido/frame_settings.h"
+#include "viewer/barrido/frame_plan.h"
+#include "viewer/barrido/specs.h"
+#include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {

@@ -1,10 +1,10 @@
 // Lights from text.
-#include "viewer/barrido/light_spec.h"
-
 #include <gtest/gtest.h>
 
 #include "pipeline/scene/light_conversion.h"
 #include "raster/base/portable_math.h"
+#include "viewer/barrido/specs.h"
+#include "viewer/barrido/values.h"
 
 namespace barrido::cli {
 namespace {
@@ -89,6 +89,25 @@ TEST(LightSpec, MistakesAreNamed) {
   EXPECT_EQ(complaint("spot:cone=30,10"), "cone: expected INNER,OUTER with INNER not above OUTER");
   EXPECT_EQ(complaint("spot:cone=10,20:exponent=2"),
             "cone (soft) and cutoff or exponent (hard) exclude each other");
+}
+
+TEST(MaterialSpec, MistakesAreNamedAsThoseOfLights) {
+  const auto of = [](const char* text) -> std::string {
+    try {
+      parse_material(text);
+    } catch (const ValueError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      of("rougness=1"),
+      "'rougness' is no key of a material: expected one of color, metallic, roughness, ambient, diffuse, "
+      "specular, emission, shininess; did you mean 'roughness'?");
+  EXPECT_EQ(of("roughness"), "expected KEY=VALUE:..., but 'roughness' has no '='");
+  EXPECT_EQ(of("roughness=1:roughness=0"), "roughness is given twice");
+  EXPECT_EQ(of("roughness=2"), "roughness: expected a number in 0..1");
+  EXPECT_EQ(of("color=1,1,1:shininess=20:diffuse=9,0,0"), "");
 }
 
 TEST(LightSpec, ImpossibleValuesAreRefused) {

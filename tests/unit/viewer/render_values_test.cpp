@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/names.h"
 #include "viewer/barrido/render_options.h"
 
 namespace barrido::cli {

@@ -55,7 +55,8 @@ TEST(Values, TuplesHaveExactlyTheirNumbers) {
 }
 
 TEST(Values, ChoicesNameTheOthersAndTheNearOne) {
-  constexpr std::array<Choice<int>, 3> kChoices{{{"flat", 1}, {"gouraud", 2}, {"phong", 3}}};
+  constexpr std::array<Named<int>, 3> kRows{{{1, "flat"}, {2, "gouraud"}, {3, "phong"}}};
+  const std::span<const Named<int>> kChoices(kRows);
   EXPECT_EQ(parse_choice("gouraud", kChoices), 2);
   EXPECT_EQ(complaint([&] { parse_choice("phnog", kChoices); }),
             "expected one of flat, gouraud, phong; did you mean 'phong'?");
