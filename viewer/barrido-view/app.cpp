@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "pipeline/names.h"
 #include "viewer/barrido-view/panel.h"
 #include "viewer/barrido-view/picture_marks.h"
 #include "viewer/barrido/commands.h"

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "pipeline/scene/names.h"
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/view/viewer.h"
 

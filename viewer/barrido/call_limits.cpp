@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "viewer/barrido/process_guard.h"
+#include "viewer/barrido/text_format.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {
@@ -41,6 +42,10 @@ std::uint64_t parse_memory(std::string_view text) {
   for (std::size_t i = 0; i <= unit; ++i) bytes *= 1024.0;
   if (bytes < static_cast<double>(16 * kMiB)) throw ValueError(expected);
   return static_cast<std::uint64_t>(std::min(bytes, 1e18));
+}
+
+std::string memory_text(const std::uint64_t& bytes) {
+  return shortest_double(static_cast<double>(bytes) / 1024.0) + "K";
 }
 
 double parse_seconds(std::string_view text) { return parse_number(text, 0.1, 1e6); }

@@ -20,6 +20,8 @@ struct LimitOptions {
 /// "512M", "1.5G", "300000K": a number with K, M or G for 1024, 1024² or 1024³, at least 16M. @throws
 /// ValueError.
 std::uint64_t parse_memory(std::string_view text);
+/// As parse_memory reads it, to the byte: "1024K".
+std::string memory_text(const std::uint64_t& bytes);
 /// A number in 0.1..1000000. @throws ValueError.
 double parse_seconds(std::string_view text);
 

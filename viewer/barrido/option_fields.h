@@ -186,26 +186,17 @@ constexpr OptionValue vector(Range range = {}) {
   return value;
 }
 
-/// A vector of any length but 0.
-template <auto member>
-constexpr OptionValue direction() {
-  OptionValue value = vector<member>();
-  value.read = [](const RenderOption&, RenderOptions& o, std::string_view text) {
-    fields::of<member>(o) = parse_direction(text);
-  };
-  return value;
-}
-
-/// Any text; none where it is empty.
-template <auto member>
-constexpr OptionValue text() {
+/// A text of its own: `parse` makes the field of it, `text` the other way round; none where that is empty.
+template <auto member, auto parse, std::string (*text)(const fields::Value<member>&)>
+constexpr OptionValue parsed() {
   OptionValue value;
   value.read = [](const RenderOption&, RenderOptions& o, std::string_view given) {
-    fields::of<member>(o) = given;
+    fields::of<member>(o) = parse(given);
   };
   value.write = [](const RenderOptions& o) {
-    const std::string& field = fields::of<member>(o);
-    return field.empty() ? std::vector<std::string>{} : std::vector{field};
+    std::vector<std::string> texts = fields::written<member>(o, text);
+    std::erase(texts, std::string());
+    return texts;
   };
   return value;
 }

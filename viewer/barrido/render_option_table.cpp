@@ -81,7 +81,7 @@ constexpr RenderOption kOutputOptions[] = {
                             "output (PNG). May hold {model} {shading} {camera} {frame} {frame:04} {view}; {{ "
                             "is a brace. Folders that are missing are made. May be left out with --hash or "
                             "--stats.",
-                            text<&Options::output>())),
+                            parsed<&Options::output, stored, copied>())),
     option("--resolution", "W,H", kPicture, "Size in pixels, each in 1..16384. Default 1280,720.",
            always_written(custom<read_resolution, resolution_text>()), no_editor("the window has its size")),
     option("--view", "LIST", kDrawing,
@@ -139,11 +139,11 @@ constexpr RenderOption kShadingOptions[] = {
            "Properties in place of those of every material, KEY=VALUE with colons between. Keys: color=R,G,B "
            "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
            "emission=R,G,B shininess=N. Colours are linear.",
-           custom<read_material, material_texts>(), by_hand("Material")),
+           parsed<&Settings::material, parse_material, material_text>(), by_hand("Material")),
     option("--fog", "SPEC", kPicture,
            "linear:START,END[:R,G,B], exp:DENSITY[:R,G,B] or exp2:DENSITY[:R,G,B], by distance from the eye; "
            "the colour is given as it is to be seen. Default: the colour of --background, or dark grey.",
-           custom<read_fog, fog_texts>(), by_hand("Fog")),
+           parsed<&Options::fog, parse_fog, fog_text>(), by_hand("Fog")),
 };
 
 constexpr RenderOption kTextureOptions[] = {
@@ -199,12 +199,12 @@ constexpr RenderOption kCameraOptions[] = {
            number<&Camera::view_angle_deg>(1, 170), by_hand("Camera")),
     option("--camera-up", "X,Y,Z", kPicture,
            "The direction that is up in the picture, to roll the camera. Default: as --up, or the file's.",
-           direction<&Camera::view_up>(), no_editor("the mouse rolls the camera")),
+           parsed<&Camera::view_up, parse_direction, shortest>(), no_editor("the mouse rolls the camera")),
     option("--orthographic-height", "H", kPicture,
            "Parallel rays; the picture is H of the model's units high.",
            number<&Camera::orthographic_height>(1e-18, kAnyNumber), by_hand("Camera")),
     option("--up", "AXIS", kPicture, "+X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z. Default +Y.",
-           custom<read_up, up_text>(), no_editor("a fact of the model")),
+           parsed<&Camera::up, parse_up, shortest>(), no_editor("a fact of the model")),
     option("--azimuth", "DEG", kPicture, "Turn about the focal point to the right, -360..360.",
            number<&Camera::azimuth_deg>(-360, 360), no_editor("the mouse moves the eye")),
     option("--elevation", "DEG", kPicture, "Turn about the focal point upwards, -90..90.",
@@ -219,7 +219,7 @@ constexpr RenderOption kAnimationOptions[] = {
     option("--time", "T", kPicture, "The moment T, in seconds, of the animation.",
            number<&Options::time_s>(0, 1e6), by_hand("Animation")),
     option("--frames", "A:B", kOutput, "Frames A to B, both included; frame n is the moment n/FPS.",
-           custom<read_frames, frames_texts>()),
+           parsed<&Options::frames, parse_frames, frames_text>()),
     option("--fps", "FPS", kOutput, "Frames a second for --frames, 0.001..1000. Default 30.",
            number<&Options::frames_per_second>(0.001, 1000)),
     option("--animation", "N", kPicture, "Which animation of the file, from 0. Default 0.",
@@ -246,15 +246,16 @@ constexpr RenderOption kExecutionOptions[] = {
            number<&Options::threads>(1, 1024)),
     option("--simd", "SET", kCall,
            "Instructions: auto (default), scalar, sse4, avx2, avx512 or neon. Never changes a pixel.",
-           custom<read_simd, simd_text>()),
+           parsed<&Options::simd, parse_simd, simd_text>()),
     option("--visibility-first", "on|off", kDrawing,
            "Find what is visible before shading (default on). Never changes a pixel.",
            choice<&Settings::visibility_first>(), no_editor("never changes a pixel")),
-    option("--max-memory", "SIZE", kCall, kMaxMemoryHelp, custom<read_max_memory, max_memory_texts>()),
+    option("--max-memory", "SIZE", kCall, kMaxMemoryHelp,
+           parsed<&LimitOptions::max_memory, parse_memory, memory_text>()),
     option("--max-seconds", "N", kCall, kMaxSecondsHelp, number<&LimitOptions::max_seconds>(0.1, 1e6)),
     option("--settings", "FILE", kCall,
            "Options from a JSON file, as barrido-view saves it; those of the command line win.",
-           text<&Options::settings_path>()),
+           parsed<&Options::settings_path, stored, copied>()),
     with_short("-h", option("--help", "", kCall, "This text.", flag<&Options::help>())),
 };
 

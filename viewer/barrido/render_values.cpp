@@ -58,21 +58,6 @@ Texts stats_text(const RenderOptions& options) {
   return {};
 }
 
-void read_material(RenderOptions& options, std::string_view text) {
-  options.settings.material = parse_material(text);
-}
-
-Texts material_texts(const RenderOptions& options) {
-  const std::string text = material_text(options.settings.material);
-  return text.empty() ? Texts{} : Texts{text};
-}
-
-void read_fog(RenderOptions& options, std::string_view text) { options.fog = parse_fog(text); }
-
-Texts fog_texts(const RenderOptions& options) {
-  return options.fog ? Texts{fog_text(*options.fog)} : Texts{};
-}
-
 void read_environment(RenderOptions& options, std::string_view text) {
   if (text.empty()) throw ValueError("expected a picture, a folder or dynamic");
   options.settings.dynamic_environment = text == "dynamic";
@@ -144,7 +129,7 @@ Texts camera_texts(const RenderOptions& options) {
   return none ? Texts{"none"} : Texts{};
 }
 
-void read_up(RenderOptions& options, std::string_view text) {
+glm::vec3 parse_up(std::string_view text) {
   struct Axis {
     std::string_view name;
     glm::vec3 up;
@@ -153,30 +138,23 @@ void read_up(RenderOptions& options, std::string_view text) {
                             {"-Y", {0, -1, 0}}, {"+Z", {0, 0, 1}},  {"-Z", {0, 0, -1}},
                             {"X", {1, 0, 0}},   {"Y", {0, 1, 0}},   {"Z", {0, 0, 1}}};
   for (const Axis& axis : kAxes) {
-    if (axis.name != text) continue;
-    options.settings.camera.up = axis.up;
-    return;
+    if (axis.name == text) return axis.up;
   }
   std::array<float, 3> up{};
-  if (!parse_numbers(text, up, -kAnyNumber, kAnyNumber)) {
-    throw ValueError("expected +X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z");
-  }
-  options.settings.camera.up = parse_direction(text);
+  if (parse_numbers(text, up, -kAnyNumber, kAnyNumber)) return parse_direction(text);
+  throw ValueError("expected +X, -X, +Y, -Y, +Z, -Z or a direction X,Y,Z");
 }
 
-Texts up_text(const RenderOptions& options) { return {shortest(options.settings.camera.up)}; }
-
-void read_frames(RenderOptions& options, std::string_view text) {
+FrameRange parse_frames(std::string_view text) {
   const std::string otherwise =
       "expected A:B, two whole numbers in 0.." + std::to_string(kLargestFrameNumber) + ", A not above B";
   const auto [first, last] = parse_pair(text, ':', 0, kLargestFrameNumber, otherwise);
   if (first > last) throw ValueError(otherwise);
-  options.frames = FrameRange{first, last};
+  return {first, last};
 }
 
-Texts frames_texts(const RenderOptions& options) {
-  if (!options.frames) return {};
-  return {std::to_string(options.frames->first) + ":" + std::to_string(options.frames->last)};
+std::string frames_text(const FrameRange& frames) {
+  return std::to_string(frames.first) + ":" + std::to_string(frames.last);
 }
 
 void read_background(RenderOptions& options, std::string_view text) {
@@ -199,32 +177,27 @@ Texts background_texts(const RenderOptions& options) {
   return {shortest(glm::vec3(r, g, b)) + (a == 1.0f ? "" : "," + shortest(a))};
 }
 
-void read_simd(RenderOptions& options, std::string_view text) {
+raster::SimdTarget parse_simd(std::string_view text) {
   using raster::SimdTarget;
   std::vector<Named<SimdTarget>> targets;
   for (int i = static_cast<int>(SimdTarget::automatic); i <= static_cast<int>(SimdTarget::neon); ++i) {
     const auto target = static_cast<SimdTarget>(i);
     targets.push_back({target, raster::name_of(target)});
   }
-  options.simd = parse_choice(text, std::span<const Named<SimdTarget>>(targets));
-  if (options.simd == SimdTarget::automatic) return;
+  const SimdTarget wanted = parse_choice(text, std::span<const Named<SimdTarget>>(targets));
+  if (wanted == SimdTarget::automatic) return wanted;
   std::string available;
   for (const SimdTarget target : raster::available_simd_targets()) {
-    if (target == options.simd) return;
+    if (target == wanted) return wanted;
     available += (available.empty() ? "" : ", ") + std::string(raster::name_of(target));
   }
   throw ValueError("this machine has not got it; it has " + available);
 }
 
-Texts simd_text(const RenderOptions& options) { return {std::string(raster::name_of(options.simd))}; }
+std::string simd_text(const raster::SimdTarget& target) { return std::string(raster::name_of(target)); }
 
-void read_max_memory(RenderOptions& options, std::string_view text) {
-  options.limits.max_memory = parse_memory(text);
-}
+std::string stored(std::string_view text) { return std::string(text); }
 
-Texts max_memory_texts(const RenderOptions& options) {
-  if (!options.limits.max_memory) return {};
-  return {shortest_double(static_cast<double>(*options.limits.max_memory) / 1024.0) + "K"};
-}
+std::string copied(const std::string& text) { return text; }
 
 }  // namespace barrido::cli

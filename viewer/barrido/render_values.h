@@ -1,5 +1,5 @@
-// Values of options that are more than one field: how each is read into the options and written again. For
-// the table of options alone.
+// Values of options that have a form of their own, or are more than one field: how each is read and written
+// again. For the table of options alone.
 #pragma once
 
 #include <string>
@@ -13,15 +13,11 @@ namespace barrido::cli {
 /// The texts of an option: none, or one for each time it is given.
 using Texts = std::vector<std::string>;
 
-// All readers throw ValueError saying what is allowed.
+// All that read throw ValueError saying what is allowed.
 void read_resolution(RenderOptions& options, std::string_view text);
 Texts resolution_text(const RenderOptions& options);
 void read_stats(RenderOptions& options, std::string_view text);
 Texts stats_text(const RenderOptions& options);
-void read_material(RenderOptions& options, std::string_view text);
-Texts material_texts(const RenderOptions& options);
-void read_fog(RenderOptions& options, std::string_view text);
-Texts fog_texts(const RenderOptions& options);
 void read_environment(RenderOptions& options, std::string_view text);
 Texts environment_texts(const RenderOptions& options);
 void read_light(RenderOptions& options, std::string_view text);
@@ -32,15 +28,16 @@ void read_no_lights(RenderOptions& options, std::string_view text);
 Texts no_lights_texts(const RenderOptions& options);
 void read_cameras(RenderOptions& options, std::string_view text);
 Texts camera_texts(const RenderOptions& options);
-void read_up(RenderOptions& options, std::string_view text);
-Texts up_text(const RenderOptions& options);
-void read_frames(RenderOptions& options, std::string_view text);
-Texts frames_texts(const RenderOptions& options);
 void read_background(RenderOptions& options, std::string_view text);
 Texts background_texts(const RenderOptions& options);
-void read_simd(RenderOptions& options, std::string_view text);
-Texts simd_text(const RenderOptions& options);
-void read_max_memory(RenderOptions& options, std::string_view text);
-Texts max_memory_texts(const RenderOptions& options);
+
+glm::vec3 parse_up(std::string_view text);
+FrameRange parse_frames(std::string_view text);
+std::string frames_text(const FrameRange& frames);
+raster::SimdTarget parse_simd(std::string_view text);
+std::string simd_text(const raster::SimdTarget& target);
+// Texts stand for themselves.
+std::string stored(std::string_view text);
+std::string copied(const std::string& text);
 
 }  // namespace barrido::cli
