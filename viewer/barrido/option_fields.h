@@ -77,6 +77,7 @@ void clear(RenderOptions& options) {
 template <class Number>
 std::string number_text(Number number) {
   if constexpr (std::is_same_v<Number, float>) return shortest(number);
+  if constexpr (std::is_same_v<Number, int>) return std::to_string(number);
   return shortest_double(number);
 }
 
