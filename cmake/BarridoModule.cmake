@@ -12,8 +12,7 @@ endfunction()
 
 function(barrido_module target)
   add_library(${target} STATIC ${ARGN})
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-                                              $<INSTALL_INTERFACE:include/barrido>)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   # Highway: every kernel is compiled for each attainable target and chosen at run time. Before 12.3 g++'s automatic
   # vectorizer miscompiles Highway's portable target (GCC bug 106322), for which Highway then falls back to one lane
   # without 16-bit arithmetic. The kernels are vectors already, so the vectorizer is switched off instead.

@@ -58,7 +58,7 @@ void Budget::take(std::uint64_t bytes, const std::string& file, const std::strin
   const std::lock_guard lock(mutex_);
   const std::uint64_t left = allowed_memory() - std::min(taken_, allowed_memory());
   if (bytes > left) {
-    throw InputError(file, place,
+    throw LimitError(file, place,
                      "needs more than the " + shown_bytes(allowed_memory()) +
                          " of memory that it may take (--max-memory allows more)");
   }
@@ -72,7 +72,7 @@ bool Budget::is_late() const {
 }
 
 void Budget::check_time(const std::string& file, const std::string& place) const {
-  if (is_late()) throw InputError(file, place, "takes too long to read (--max-seconds allows more)");
+  if (is_late()) throw LimitError(file, place, "takes too long to read (--max-seconds allows more)");
 }
 
 std::string shown_bytes(std::uint64_t bytes) {

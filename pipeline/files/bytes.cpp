@@ -57,6 +57,17 @@ std::string percent_decode(std::string_view uri) {
   return decoded;
 }
 
+/// Blanks and line ends may stand anywhere (RFC 2045, section 6.8), and any letter may be percent-encoded.
+bool is_plain_base64(std::string_view text) {
+  return text.find_first_of("% \t\r\n\f") == std::string_view::npos;
+}
+
+std::string plain_base64(std::string_view text) {
+  std::string plain = percent_decode(text);
+  std::erase_if(plain, [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); });
+  return plain;
+}
+
 Content decode_base64(std::string_view text) {
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   if (text.size() % 4 == 1) return {{}, "the base64 text is cut off"};
@@ -83,6 +94,22 @@ Content decode_base64(std::string_view text) {
 bool has_scheme(std::string_view uri) {
   const std::size_t end = uri.find_first_of(":/");
   return end != std::string_view::npos && end > 0 && uri[end] == ':';
+}
+
+/// Names of schemes and parameters are the same in capitals (RFC 2397, RFC 3986, section 3.1).
+bool is_same_name(std::string_view text, std::string_view lower_case) {
+  return std::equal(text.begin(), text.end(), lower_case.begin(), lower_case.end(),
+                    [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c + 32 : c) == lower; });
+}
+
+/// ";base64" at the end of what stands before the comma; blanks around it do no harm.
+bool ends_with_base64(std::string_view head) {
+  const std::size_t last = head.find_last_not_of(' ');
+  head = head.substr(0, last + 1);
+  const std::size_t semicolon = head.rfind(';');
+  if (semicolon == std::string_view::npos) return false;
+  const std::size_t first = head.find_first_not_of(' ', semicolon + 1);
+  return first != std::string_view::npos && is_same_name(head.substr(first), "base64");
 }
 
 bool starts_with_parent(const fs::path& normal) { return !normal.empty() && *normal.begin() == ".."; }
@@ -162,18 +189,15 @@ ResolvedPath resolve_uri(const fs::path& folder, std::string_view uri) {
   return {std::move(file), {}};
 }
 
-bool is_data_uri(std::string_view uri) {
-  constexpr std::string_view kPrefix = "data:";
-  return uri.size() >= kPrefix.size() &&
-         std::equal(kPrefix.begin(), kPrefix.end(), uri.begin(),
-                    [](char prefix, char c) { return prefix == (c >= 'A' && c <= 'Z' ? c + 32 : c); });
-}
+bool is_data_uri(std::string_view uri) { return is_same_name(uri.substr(0, 5), "data:"); }
 
 Content decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return {{}, "the data URI has no comma"};
   const std::string_view text = uri.substr(comma + 1);
-  if (uri.substr(0, comma).ends_with(";base64")) return decode_base64(text);
+  if (ends_with_base64(uri.substr(0, comma))) {
+    return is_plain_base64(text) ? decode_base64(text) : decode_base64(plain_base64(text));
+  }
   const std::string decoded = percent_decode(text);
   Content content{ByteBlock::allocate(decoded.size()), {}};
   std::copy(decoded.begin(), decoded.end(), content.block.writable());

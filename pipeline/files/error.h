@@ -14,4 +14,10 @@ class InputError : public std::runtime_error {
       : std::runtime_error(place.empty() ? file + ": " + reason : file + ": " + place + ": " + reason) {}
 };
 
+/// The input asks for more memory or time than it may take. Whoever goes on after other problems ends here.
+class LimitError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 }  // namespace barrido::scene

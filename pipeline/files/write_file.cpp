@@ -1,6 +1,7 @@
 #include "pipeline/files/write_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -46,6 +47,15 @@ void write_bytes(const fs::path& file_path, std::span<const std::uint8_t> bytes,
   if (!file.close()) throw cannot_write(target, errno);
 }
 
+/// What takes a file's place becomes as accessible as that was.
+void take_over_access(const fs::path& target, const fs::path& successor, const fs::path& path) {
+  struct stat facts {};
+  if (::stat(target.c_str(), &facts) != 0) return;
+  // Only the superuser may give files away; a failure leaves the file with who wrote it.
+  if (::chown(successor.c_str(), facts.st_uid, facts.st_gid) != 0) errno = 0;
+  if (::chmod(successor.c_str(), facts.st_mode & 07777) != 0) throw cannot_write(path, errno);
+}
+
 }  // namespace
 
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
@@ -59,9 +69,11 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
   // A symbolic link stays one: the file it means is replaced.
   fs::path target = fs::exists(status) ? fs::canonical(path, error) : path;
   if (error) target = path;
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(path, errno);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   TemporaryPath temporary([&] { return create_temporary(folder, path); });
   write(temporary.path());
+  if (fs::exists(status)) take_over_access(target, temporary.path(), path);
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw cannot_write(path, errno);
   temporary.keep();
 }

@@ -102,6 +102,9 @@ int AccessorReader::components(int accessor) const {
 void AccessorReader::require(int accessor, const std::string& place,
                              std::initializer_list<int> component_counts, unsigned formats,
                              std::size_t expected_count) const {
+  if (const auto& problem = document_.accessor_problem(accessor)) {
+    report_.fail(problem->place, problem->reason);
+  }
   const tinygltf::Accessor& from = source(accessor);
   const std::string name = element("accessors", static_cast<std::size_t>(accessor));
   // MAT2 has as many components as VEC4, but no attribute is one.

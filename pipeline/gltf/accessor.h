@@ -16,12 +16,12 @@
 
 namespace barrido::scene::gltf {
 
-/// @throws InputError unless every buffer view lies within its buffer.
-void check_views(const Report& report, const Document& document);
+/// One for each buffer view: that it does not lie within its buffer.
+std::vector<std::optional<Problem>> check_views(const Document& document);
 
-/// @throws InputError unless the elements of every accessor, sparse ones included, lie within their buffer
-/// views and have a component type of glTF, and no accessor has more than `max_count` elements.
-void check_accessors(const Report& report, const Document& document, std::uint64_t max_count);
+/// One for each accessor: that its elements, sparse ones included, do not lie within their buffer views, have
+/// no component type of glTF, or are more than `max_count`.
+std::vector<std::optional<Problem>> check_accessors(const Document& document, std::uint64_t max_count);
 
 /// Component types as a set, so that a caller can say which ones it takes.
 enum ComponentFormat : unsigned {

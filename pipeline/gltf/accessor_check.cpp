@@ -1,5 +1,5 @@
-// Buffer views against buffers, accessors against buffer views. After these checks every element of every
-// accessor may be read.
+// Buffer views against buffers, accessors against buffer views. What has no problem here may be read; what
+// has one is an error as soon as something uses it.
 #include <string>
 
 #include "pipeline/gltf/accessor.h"
@@ -19,21 +19,22 @@ bool fits(std::uint64_t offset, std::uint64_t bytes, std::uint64_t container_byt
   return offset <= container_bytes && bytes <= container_bytes - offset;
 }
 
+/// Throws the first problem of an accessor.
 class AccessorCheck {
  public:
-  AccessorCheck(const Report& report, const Document& document, std::size_t index)
-      : report_(report),
+  AccessorCheck(const Document& document, std::size_t index)
+      : document_(document),
         model_(document.model()),
         accessor_(model_.accessors[index]),
         place_(element("accessors", index)) {}
 
   void run(std::uint64_t max_count) const {
     if (component_bytes(accessor_.componentType) == 0) {
-      report_.fail(place_, "componentType " + std::to_string(accessor_.componentType) + " is none of glTF's");
+      fail(place_, "componentType " + std::to_string(accessor_.componentType) + " is none of glTF's");
     }
     if (accessor_.count > max_count) {
-      report_.fail(place_, "has " + std::to_string(accessor_.count) + " elements; at most " +
-                               std::to_string(max_count) + " are read");
+      fail(place_, "has " + std::to_string(accessor_.count) + " elements; at most " +
+                       std::to_string(max_count) + " are read");
     }
     if (accessor_.bufferView >= 0) check_elements();
     if (accessor_.sparse.isSparse) check_sparse();
@@ -48,9 +49,9 @@ class AccessorCheck {
     const tinygltf::BufferView& source = view(accessor_.bufferView);
     const ElementLayout layout = element_layout(accessor_, source.byteStride);
     if (layout.stride < layout.element_bytes) {
-      report_.fail(place_, "its elements of " + std::to_string(layout.element_bytes) +
-                               " bytes are larger than the byteStride " + std::to_string(layout.stride) +
-                               " of its buffer view");
+      fail(place_, "its elements of " + std::to_string(layout.element_bytes) +
+                       " bytes are larger than the byteStride " + std::to_string(layout.stride) +
+                       " of its buffer view");
     }
     check_range(place_, accessor_.bufferView, accessor_.byteOffset,
                 (accessor_.count - 1) * layout.stride + layout.element_bytes);
@@ -60,11 +61,11 @@ class AccessorCheck {
     const auto& sparse = accessor_.sparse;
     const std::string place = place_ + ".sparse";
     const auto count = static_cast<std::uint64_t>(sparse.count);
-    if (count > accessor_.count) report_.fail(place, "has more elements than the accessor");
+    if (count > accessor_.count) fail(place, "has more elements than the accessor");
     const int type = sparse.indices.componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-      report_.fail(place + ".indices", "componentType " + std::to_string(type) + " is not unsigned");
+      fail(place + ".indices", "componentType " + std::to_string(type) + " is not unsigned");
     }
     check_range(place + ".indices", sparse.indices.bufferView,
                 static_cast<std::uint64_t>(sparse.indices.byteOffset), count * component_bytes(type));
@@ -75,15 +76,20 @@ class AccessorCheck {
 
   void check_range(const std::string& place, int buffer_view, std::uint64_t offset,
                    std::uint64_t bytes) const {
+    const std::optional<Problem>& of_view = document_.view_problem(buffer_view);
+    if (of_view) throw Problem(*of_view);
     const std::uint64_t length = view(buffer_view).byteLength;
     if (!fits(offset, bytes, length)) {
-      report_.fail(
-          place,
-          past_the_end(offset, bytes, element("bufferViews", static_cast<std::size_t>(buffer_view)), length));
+      fail(place, past_the_end(offset, bytes, element("bufferViews", static_cast<std::size_t>(buffer_view)),
+                               length));
     }
   }
 
-  const Report& report_;
+  [[noreturn]] static void fail(const std::string& place, const std::string& reason) {
+    throw Problem{place, reason};
+  }
+
+  const Document& document_;
   const tinygltf::Model& model_;
   const tinygltf::Accessor& accessor_;
   std::string place_;
@@ -91,23 +97,31 @@ class AccessorCheck {
 
 }  // namespace
 
-void check_views(const Report& report, const Document& document) {
+std::vector<std::optional<Problem>> check_views(const Document& document) {
   const auto& views = document.model().bufferViews;
+  std::vector<std::optional<Problem>> problems(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
     const tinygltf::BufferView& view = views[i];
     const std::uint64_t length = document.buffer(view.buffer).byte_length;
     if (!fits(view.byteOffset, view.byteLength, length)) {
-      report.fail(element("bufferViews", i),
-                  past_the_end(view.byteOffset, view.byteLength,
-                               element("buffers", static_cast<std::size_t>(view.buffer)), length));
+      problems[i] = {element("bufferViews", i),
+                     past_the_end(view.byteOffset, view.byteLength,
+                                  element("buffers", static_cast<std::size_t>(view.buffer)), length)};
     }
   }
+  return problems;
 }
 
-void check_accessors(const Report& report, const Document& document, std::uint64_t max_count) {
-  for (std::size_t i = 0; i < document.model().accessors.size(); ++i) {
-    AccessorCheck(report, document, i).run(max_count);
+std::vector<std::optional<Problem>> check_accessors(const Document& document, std::uint64_t max_count) {
+  std::vector<std::optional<Problem>> problems(document.model().accessors.size());
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    try {
+      AccessorCheck(document, i).run(max_count);
+    } catch (const Problem& problem) {
+      problems[i] = problem;
+    }
   }
+  return problems;
 }
 
 }  // namespace barrido::scene::gltf

@@ -15,14 +15,25 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// "OBJ" for model.obj, where the name is that of another kind of model.
+std::string other_kind(const std::string& file) {
+  std::string extension = file.substr(std::min(file.size(), file.find_last_of("./") + 1));
+  for (char& c : extension) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  for (const char* kind : {"OBJ",  "FBX",  "STL",  "PLY", "DAE", "3DS", "3MF", "BLEND", "X3D",  "WRL", "USD",
+                           "USDZ", "USDC", "USDA", "ABC", "LWO", "OFF", "VTK", "VTP",   "STEP", "STP"}) {
+    if (extension == kind) return extension;
+  }
+  return {};
+}
+
 /// Returns the length that the header gives.
 std::size_t check_header(Report& report, std::span<const std::uint8_t> file) {
   if (file.size() < glb::kHeaderBytes + glb::kChunkHeaderBytes)
     report.fail("GLB header", "the file is cut off");
   const std::uint32_t version = glb::read_u32(file, 4);
   if (version != 2) {
-    report.fail("GLB header",
-                "container version " + std::to_string(version) + " is not supported; only 2 is");
+    report.fail("GLB header", "container version " + std::to_string(version) +
+                                  (version == 1 ? ", of glTF 1.0," : "") + " is not supported; only 2 is");
   }
   const std::uint32_t length = glb::read_u32(file, 8);
   if (length > file.size() || length < glb::kHeaderBytes) {
@@ -71,7 +82,10 @@ Container split_container(Report& report, std::span<const std::uint8_t> file) {
   const std::size_t first =
       text.find_first_not_of(" \t\r\n\xef\xbb\xbf");  // A byte order mark may be ignored.
   if (first == std::string_view::npos || text[first] != '{') {
-    report.fail("", "is neither GLB (it does not begin with \"glTF\") nor JSON");
+    const std::string other = other_kind(report.file());
+    report.fail("",
+                "is neither GLB (it does not begin with \"glTF\") nor JSON" +
+                    (other.empty() ? "" : "; of " + other + " nothing is read, only of glTF: convert it"));
   }
   return {text, std::nullopt};
 }

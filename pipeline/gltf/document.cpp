@@ -10,6 +10,7 @@
 
 #include "pipeline/gltf/accessor.h"
 #include "pipeline/gltf/check.h"
+#include "pipeline/gltf/forgive.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -19,7 +20,9 @@ using nlohmann::json;
 /// The reason in a parser's message, without the library's own label.
 std::string parse_problem(const std::string& what) {
   const std::size_t label_end = what.starts_with("[json.exception.") ? what.find("] ") : std::string::npos;
-  return one_line(label_end == std::string::npos ? what : what.substr(label_end + 2), 200);
+  std::string problem = label_end == std::string::npos ? what : what.substr(label_end + 2);
+  problem.erase(problem.find_last_not_of(" \r\n.") + 1);
+  return one_line(problem, 200);
 }
 
 /// What the text will become: it is parsed twice, and written once in between; every object is then one of
@@ -29,12 +32,65 @@ void take_for_json(const Report& report, const JsonShape& shape, std::size_t tex
   budget.take(3 * text_bytes + kOfAValue * shape.values + kOfAnObject * shape.objects, report.file(), "JSON");
 }
 
+/// Whether arrays of glTF 2.0 are objects with names in them, as all are in glTF 1.0, where files need no
+/// asset.
+bool looks_like_version_1(const json& document) {
+  for (const char* name : {"accessors", "buffers", "bufferViews", "materials", "meshes", "nodes", "scenes"}) {
+    const auto found = document.find(name);
+    if (found != document.end() && found->is_object()) return true;
+  }
+  return false;
+}
+
+/// "2.0" … "2.9": a version is readable when its major number is 2 and its minVersion is at most 2.0 (glTF
+/// 2.0, section 3.2). Looked at before anything else: of another version, other things are missing.
+void check_version(const Report& report, const json& document) {
+  if (!document.is_object()) return;
+  const auto asset = document.find("asset");
+  const auto text = [&](const char* name) {
+    if (asset == document.end() || !asset->is_object()) return std::string();
+    const auto found = asset->find(name);
+    return found != asset->end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string version = text("version");
+  if (!version.empty() && !version.starts_with("2.")) {
+    report.fail("asset.version", "glTF " + one_line(version, 20) + " is not supported; only 2.x is");
+  }
+  if (version.empty() && looks_like_version_1(document)) {
+    report.fail("", "looks like glTF 1.0, which is not supported; only 2.x is");
+  }
+  const std::string least = text("minVersion");
+  if (!least.empty() && least != "2.0") {
+    report.fail("asset.minVersion", "glTF " + one_line(least, 20) + " is not supported");
+  }
+}
+
+/// What an object's type asks for beside it (glTF 2.0, section 5.12; KHR_lights_punctual).
+void check_kinds(const Report& report, const json& document) {
+  const auto check = [&](const json& array, const std::string& place, const char* kind) {
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      if (array[i]["type"] == kind && !array[i].contains(kind)) {
+        report.fail(element(place, i) + '.' + kind, "is missing");
+      }
+    }
+  };
+  if (const auto cameras = document.find("cameras"); cameras != document.end()) {
+    check(*cameras, "cameras", "perspective");
+    check(*cameras, "cameras", "orthographic");
+  }
+  static const json::json_pointer kLights("/extensions/KHR_lights_punctual/lights");
+  if (document.contains(kLights)) check(document[kLights], "extensions.KHR_lights_punctual.lights", "spot");
+}
+
 std::unique_ptr<json> parse_json(Report& report, std::string_view text, const ImportOptions& options) {
   const JsonShape shape = check_json_depth(report, text, options.max_json_depth);
   take_for_json(report, shape, text.size(), *options.budget);
   try {
     auto document = std::make_unique<json>(json::parse(text.begin(), text.end()));
+    check_version(report, *document);
+    forgive_small_sins(report, *document);
     check_document(report, *document);
+    check_kinds(report, *document);
     constexpr std::uint64_t kOfAMaterial = 2560;  // More than of any other object
     const auto materials = document->find("materials");
     if (materials != document->end()) {
@@ -44,17 +100,6 @@ std::unique_ptr<json> parse_json(Report& report, std::string_view text, const Im
   } catch (const json::exception& error) {
     report.fail("JSON", parse_problem(error.what()));
   }
-}
-
-/// "2.0" … "2.9": a version is readable when its major number is 2 and its minVersion is at most 2.0 (glTF
-/// 2.0, section 3.2).
-void check_version(const Report& report, const json& asset) {
-  const auto version = asset["version"].get<std::string>();
-  if (!version.starts_with("2.")) {
-    report.fail("asset.version", "glTF " + one_line(version, 20) + " is not supported; only 2.x is");
-  }
-  const auto least = asset.value("minVersion", std::string("2.0"));
-  if (least != "2.0") report.fail("asset.minVersion", "glTF " + one_line(least, 20) + " is not supported");
 }
 
 /// The file's name as it is shown; a data URI's contents are of no use to a reader.
@@ -109,11 +154,10 @@ Document::Document(Report& report, const std::filesystem::path& path, const Impo
   if (!file.problem.empty()) report.fail("", file.problem);
   const Container container = split_container(report, file.block.bytes());
   json_ = parse_json(report, container.json, options);
-  check_version(report, (*json_)["asset"]);
   load_buffers(report, container, file.block);
   parse_model(report);
-  check_views(report, *this);
-  check_accessors(report, *this, options.max_vertices);
+  view_problems_ = check_views(*this);
+  accessor_problems_ = check_accessors(*this, options.max_vertices);
 }
 
 Document::~Document() = default;
@@ -186,6 +230,14 @@ void Document::take_views_from_indices() {
   }
 }
 
+void Document::warn_of_unused(Report& report) const {
+  for (const auto* problems : {&view_problems_, &accessor_problems_}) {
+    for (const std::optional<Problem>& problem : *problems) {
+      if (problem) report.warn(problem->place + ": " + problem->reason + "; nothing that is drawn uses it");
+    }
+  }
+}
+
 bool Document::has_bytes(int buffer_view) const {
   return buffer(model_.bufferViews[static_cast<std::size_t>(buffer_view)].buffer).owner != nullptr;
 }
@@ -213,6 +265,9 @@ EncodedImage Document::read_image(std::size_t index) const {
     image.problem = content.problem;
     image.bytes = content.block.bytes();
     image.owner = content.block.owner();
+  } else if (view != source.end() && view_problem(view->get<int>())) {
+    const Problem& problem = *view_problem(view->get<int>());
+    image.problem = problem.place + ": " + problem.reason;
   } else if (view != source.end() && has_bytes(view->get<int>())) {
     const int buffer_view = view->get<int>();
     image.bytes = view_bytes(buffer_view);

@@ -1,9 +1,10 @@
 // A glTF document after every check that can be made without looking at its elements: JSON types, ranges and
 // indices, buffers of the promised length, buffer views and accessors within their buffers. What comes later
-// may use any index and offset it finds here.
+// may use any index it finds here, and what lies behind views and accessors without a problem.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,11 @@ struct EncodedImage {
   std::string problem;
 };
 
+/// What is wrong with an element that nothing may use.
+struct Problem {
+  std::string place, reason;
+};
+
 class Document {
  public:
   /// Reads `path` and the buffers it refers to.
@@ -46,6 +52,14 @@ class Document {
   Budget& budget() const { return *options_.budget; }
   const std::vector<Buffer>& buffers() const { return buffers_; }
   const Buffer& buffer(int index) const { return buffers_[static_cast<std::size_t>(index)]; }
+  const std::optional<Problem>& view_problem(int buffer_view) const {
+    return view_problems_[static_cast<std::size_t>(buffer_view)];
+  }
+  const std::optional<Problem>& accessor_problem(int accessor) const {
+    return accessor_problems_[static_cast<std::size_t>(accessor)];
+  }
+  /// Warns of views and accessors with a problem that was not met: nothing that is drawn uses them.
+  void warn_of_unused(Report& report) const;
   bool has_bytes(int buffer_view) const;
   /// Only of a view that has bytes.
   std::span<const std::uint8_t> view_bytes(int buffer_view) const;
@@ -64,6 +78,7 @@ class Document {
   std::unique_ptr<nlohmann::json> json_;
   tinygltf::Model model_;
   std::vector<Buffer> buffers_;
+  std::vector<std::optional<Problem>> view_problems_, accessor_problems_;
 };
 
 }  // namespace barrido::scene::gltf

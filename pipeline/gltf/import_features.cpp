@@ -24,6 +24,53 @@ constexpr KnownExtension kSupportedExtensions[] = {
     {"KHR_texture_transform", Support::exact, "as the texture matrix"},
 };
 
+/// Extensions that add to what is drawn, or to what is known about it: a picture without them is still one of
+/// the model. Others, when they are required, may change what the numbers in the file mean.
+constexpr std::string_view kIgnorable[] = {
+    "ADOBE_materials_",
+    "AGI_articulations",
+    "AGI_stk_metadata",
+    "CESIUM_primitive_outline",
+    "EXT_feature_metadata",
+    "EXT_instance_features",
+    "EXT_lights_",
+    "EXT_materials_",
+    "EXT_mesh_features",
+    "EXT_mesh_manifold",
+    "EXT_property_feature",
+    "EXT_structural_metadata",
+    "EXT_texture_",
+    "FB_geometry_metadata",
+    "FB_materials_",
+    "GODOT_",
+    "KHR_animation_pointer",
+    "KHR_audio",
+    "KHR_character",
+    "KHR_environment_map",
+    "KHR_interactivity",
+    "KHR_lights_",
+    "KHR_materials_",
+    "KHR_node_",
+    "KHR_physics_",
+    "KHR_collision_",
+    "KHR_techniques_webgl",
+    "KHR_texture_",
+    "KHR_xmp",
+    "MPEG_",
+    "MSFT_audio_",
+    "MSFT_lod",
+    "MSFT_packing_",
+    "MSFT_texture_dds",
+    "NV_materials_",
+    "OMI_",
+    "VRM",
+};
+
+bool is_ignorable(std::string_view name) {
+  return std::any_of(std::begin(kIgnorable), std::end(kIgnorable),
+                     [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
 const KnownExtension* find_extension(const std::string& name) {
   const auto found = std::find_if(std::begin(kSupportedExtensions), std::end(kSupportedExtensions),
                                   [&](const KnownExtension& known) { return known.name == name; });
@@ -104,22 +151,42 @@ void list_geometry(Import& import) {
 void check_extensions(Import& import) {
   const tinygltf::Model& model = import.document.model();
   for (const std::string& name : model.extensionsRequired) {
-    if (find_extension(name) == nullptr) {
+    if (find_extension(name) == nullptr && !is_ignorable(name)) {
       import.report.fail("extensionsRequired", one_line(name, 80) + " is not supported");
     }
   }
   std::string unknown;
-  for (const std::string& name : model.extensionsUsed) {
+  std::vector<std::string> names = model.extensionsUsed;
+  for (const std::string& name : model.extensionsRequired) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (const std::string& name : names) {
     if (find_extension(name) != nullptr) continue;
     unknown += (unknown.empty() ? "" : ", ") + one_line(name, 80);
   }
   if (!unknown.empty()) import.report.warn("not supported and ignored: " + one_line(unknown, 400));
 }
 
+namespace {
+
+/// Extensions have a warning of their own.
+void warn_of_ignored(Import& import) {
+  std::string ignored;
+  for (const Feature& feature : import.scene.features) {
+    constexpr std::string_view kMaterial = "material: ";
+    if (feature.support != Support::ignored || !feature.name.starts_with(kMaterial)) continue;
+    ignored += (ignored.empty() ? "" : ", ") + feature.name.substr(kMaterial.size());
+  }
+  if (!ignored.empty()) import.report.warn("of materials, ignored: " + ignored);
+}
+
+}  // namespace
+
 void list_features(Import& import) {
   list_extensions(import);
   list_materials(import);
   list_geometry(import);
+  warn_of_ignored(import);
 }
 
 }  // namespace barrido::scene::gltf

@@ -24,7 +24,8 @@ Scene import_document(Report& report, const Document& document, const ImportOpti
   scene.source = report.file();
   scene.generator = document.model().asset.generator;
   AccessorReader reader(report, document);
-  Import import{report, document, reader, options, scene};
+  const DrawnElements drawn = find_drawn(document.model());
+  Import import{report, document, reader, options, scene, drawn};
   check_extensions(import);
   import_materials(import);
   import_images(import);
@@ -37,6 +38,7 @@ Scene import_document(Report& report, const Document& document, const ImportOpti
   import_extras(import);
   list_features(import);
   reader.finish();
+  document.warn_of_unused(report);
   scene.warnings = report.take_warnings();
   return scene;
 }

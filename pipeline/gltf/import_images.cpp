@@ -1,9 +1,10 @@
-// Images: those that a material uses are read and decoded, each by whichever thread is free. Which of several
-// broken images is reported does not depend on the threads: always the first; but where memory is short, on
-// which came last.
+// Images: those that a material uses are read and decoded, each by whichever thread is free. One that is
+// missing or damaged stays empty, with a warning: materials are drawn without it. Where memory is short, it
+// depends on the threads which one is reported.
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <exception>
+#include <string>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -26,10 +27,13 @@ void mark(const Scene& scene, const TextureUse& use, std::uint64_t bytes, std::v
   slot = std::max(slot, bytes);
 }
 
-/// What a pixel of each image will take; 0 for those in none of the roles that the caller asked for.
-std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count) {
+/// Images in no other role are looked at by those who want to know what is in the file; nothing is drawn with
+/// them, so that nothing is wrong where they are missing.
+constexpr unsigned kDrawnRoles = kBaseColorImage | kMetallicRoughnessImage | kEmissiveImage;
+
+/// What a pixel of each image will take; 0 for those in none of these roles.
+std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, unsigned roles) {
   std::vector<std::uint64_t> used(count, 0);
-  const unsigned roles = import.options.load_images ? import.options.image_roles : 0u;
   for (const Material& material : import.scene.materials) {
     if (roles & kBaseColorImage) mark(import.scene, material.base_color_texture, kTextureBytes, used);
     if (roles & kMetallicRoughnessImage) {
@@ -42,24 +46,35 @@ std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count) 
   return used;
 }
 
-/// Fills `image` or returns the error.
-std::optional<InputError> decode(const Import& import, std::size_t index, std::uint64_t pixel_bytes,
-                                 Image& image) {
+/// What became of one image.
+struct Decoded {
+  std::string problem;       ///< Why it is drawn without, in words.
+  std::exception_ptr limit;  ///< What ends the import: memory or time.
+};
+
+/// Fills `image` or says why not.
+Decoded decode(const Import& import, std::size_t index, std::uint64_t pixel_bytes, Image& image) {
+  std::string place;
   try {
     const EncodedImage encoded = import.document.read_image(index);
-    const std::string place = encoded.name == element("images", index)
-                                  ? encoded.name
-                                  : element("images", index) + " (" + encoded.name + ")";
-    if (!encoded.problem.empty()) import.report.fail(place, encoded.problem);
+    place = encoded.name == element("images", index) ? encoded.name
+                                                     : element("images", index) + " (" + encoded.name + ")";
+    image.name = encoded.name;
+    if (!encoded.problem.empty()) return {place + ": " + encoded.problem, nullptr};
     ImageLimits limits;
     limits.max_pixels = import.options.max_image_pixels;
     limits.budget = import.options.budget.get();
     limits.bytes_a_pixel = pixel_bytes;
-    image = decode_image(encoded.bytes, import.report.file() + ": " + place, limits);
-    image.name = encoded.name;
-    return std::nullopt;
+    Image decoded = decode_image(encoded.bytes, place, limits);
+    decoded.name = encoded.name;
+    image = std::move(decoded);
+    return {};
+  } catch (const LimitError& error) {
+    return {{}, std::make_exception_ptr(LimitError(import.report.file(), "", error.what()))};
   } catch (const InputError& error) {
-    return error;
+    return {error.what(), nullptr};
+  } catch (const std::bad_alloc&) {
+    return {{}, std::current_exception()};
   }
 }
 
@@ -72,7 +87,8 @@ void add_embedded(Import& import, const std::vector<std::uint64_t>& used) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     const nlohmann::json& image = document["images"][i];
     const auto view = image.find("bufferView");
-    if (used[i] != 0 && view != image.end() && import.document.has_bytes(view->get<int>())) {
+    if (used[i] != 0 && view != image.end() && !import.document.view_problem(view->get<int>()) &&
+        import.document.has_bytes(view->get<int>())) {
       embedded += import.document.view_bytes(view->get<int>()).size();
     }
   }
@@ -85,16 +101,25 @@ void import_images(Import& import) {
   const std::size_t count = import.document.image_count();
   import.scene.images.resize(count);
   for (std::size_t i = 0; i < count; ++i) import.scene.images[i].name = element("images", i);
-  const std::vector<std::uint64_t> bytes = pixel_bytes(import, count);
+  const unsigned roles = import.options.load_images ? import.options.image_roles : 0u;
+  const std::vector<std::uint64_t> bytes = pixel_bytes(import, count, roles & kDrawnRoles);
   add_embedded(import, bytes);
-  std::vector<std::optional<InputError>> errors(count);
+  std::vector<Decoded> results(count);
   const auto decode_one = [&](std::size_t i) {
-    if (bytes[i] != 0) errors[i] = decode(import, i, bytes[i], import.scene.images[i]);
+    if (bytes[i] != 0) results[i] = decode(import, i, bytes[i], import.scene.images[i]);
   };
   tbb::parallel_for(std::size_t{0}, count, decode_one, tbb::simple_partitioner());
-  for (const auto& error : errors) {
-    if (error) throw *error;
+  for (const Decoded& result : results) {
+    if (result.limit) std::rethrow_exception(result.limit);
   }
+  for (const Decoded& result : results) {
+    if (!result.problem.empty()) import.report.warn(result.problem + "; drawn without this picture");
+  }
+  const std::vector<std::uint64_t> others = pixel_bytes(import, count, roles & ~kDrawnRoles);
+  const auto look_at = [&](std::size_t i) {
+    if (bytes[i] == 0 && others[i] != 0) decode(import, i, others[i], import.scene.images[i]);
+  };
+  tbb::parallel_for(std::size_t{0}, count, look_at, tbb::simple_partitioner());
 }
 
 }  // namespace barrido::scene::gltf

@@ -17,6 +17,7 @@ constexpr unsigned kQuantized =
 using Attributes = std::map<std::string, int>;
 
 constexpr int kMissing = -1;
+constexpr const char* kTexcoordNames[] = {"TEXCOORD_0", "TEXCOORD_1"};
 
 int find(const Attributes& attributes, const char* name) {
   const auto found = attributes.find(name);
@@ -74,7 +75,10 @@ class MeshImporter {
     const auto& meshes = import_.document.model().meshes;
     import_.scene.meshes.reserve(meshes.size());
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      import_.scene.meshes.push_back(mesh_of(meshes[i], element("meshes", i)));
+      Mesh& mesh = import_.scene.meshes.emplace_back();
+      const bool read = read_or_warn(import_, import_.drawn.meshes[i], "nothing draws this mesh",
+                                     [&] { mesh = mesh_of(meshes[i], element("meshes", i)); });
+      if (!read) mesh.name = meshes[i].name;
     }
   }
 
@@ -110,6 +114,7 @@ class MeshImporter {
     count_vertices(place, reader_.count(positions));
     primitive.vertex_count = static_cast<std::uint32_t>(reader_.count(positions));
     read_attributes(source.attributes, place + ".attributes.", primitive);
+    warn_of_others(source.attributes);
     read_skinning(source.attributes, place + ".attributes.", primitive);
     read_targets(source, place, primitive);
     if (source.indices >= 0) {
@@ -127,8 +132,9 @@ class MeshImporter {
   void count_vertices(const std::string& place, std::uint64_t count) {
     vertices_ += count;
     if (vertices_ > import_.options.max_vertices || count > UINT32_MAX) {
-      import_.report.fail(place, "the file has more than " + std::to_string(import_.options.max_vertices) +
-                                     " vertices, the importer's limit");
+      throw LimitError(import_.report.file(), place,
+                       "the file has more than " + std::to_string(import_.options.max_vertices) +
+                           " vertices, the importer's limit");
     }
   }
 
@@ -153,7 +159,6 @@ class MeshImporter {
     if (const int tangents = read("TANGENT", {4}, kFloat | kNormalizedSigned); tangents != kMissing) {
       primitive.tangents = reader_.floats(tangents);
     }
-    const char* const kTexcoordNames[] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < primitive.texcoords.size(); ++set) {
       const int texcoords = read(kTexcoordNames[set], {2}, kFloat | kQuantized);
       if (texcoords != kMissing) primitive.texcoords[set] = reader_.floats(texcoords);
@@ -195,7 +200,36 @@ class MeshImporter {
           attribute(source.targets[i], target_place, "NORMAL", {3}, kFloat | kNormalizedSigned, primitive);
       if (positions != kMissing) target.positions = reader_.floats(positions);
       if (normals != kMissing) target.normals = reader_.floats(normals);
+      read_target_colors(source.targets[i], target_place, primitive, target);
       primitive.morph_targets.push_back(std::move(target));
+    }
+  }
+
+  void read_target_colors(const Attributes& target, const std::string& place, const Primitive& primitive,
+                          MorphTarget& to) {
+    for (std::size_t set = 0; set < to.texcoords.size(); ++set) {
+      const int texcoords =
+          attribute(target, place, kTexcoordNames[set], {2}, kFloat | kQuantized, primitive);
+      if (texcoords != kMissing) to.texcoords[set] = reader_.floats(texcoords);
+    }
+    const int colors = attribute(target, place, "COLOR_0", {3, 4},
+                                 kFloat | kNormalizedUnsigned | kNormalizedSigned, primitive);
+    if (colors == kMissing) return;
+    to.colors = reader_.floats(colors, 4);
+    if (reader_.components(colors) == 4) return;
+    // An alpha that is not there does not change, where one that is missing in a colour is 1.
+    std::vector<float> differences(to.colors.values().begin(), to.colors.values().end());
+    for (std::size_t alpha = 3; alpha < differences.size(); alpha += 4) differences[alpha] = 0.0f;
+    to.colors = FloatArray(std::move(differences));
+  }
+
+  /// Sets beyond those that are drawn.
+  void warn_of_others(const Attributes& attributes) {
+    for (const auto& [name, accessor] : attributes) {
+      const bool is_extra_set =
+          (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0" && name != "TEXCOORD_1") ||
+          (name.starts_with("COLOR_") && name != "COLOR_0");
+      if (is_extra_set) import_.report.warn(one_line(name, 40) + " is ignored");
     }
   }
 

@@ -43,11 +43,12 @@ std::vector<int> largest_joints(const Scene& scene) {
   return largest;
 }
 
-void check_joints(const Import& import) {
-  const Scene& scene = import.scene;
+void check_joints(Import& import) {
+  Scene& scene = import.scene;
   const std::vector<int> largest = largest_joints(scene);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
+    Node& node = scene.nodes[i];
+    if (i < import.drawn.nodes.size() && !import.drawn.nodes[i]) node.skin = kNone;
     if (node.skin == kNone) continue;
     const std::size_t joints = scene.skins[static_cast<std::size_t>(node.skin)].joints.size();
     const auto mesh = static_cast<std::size_t>(node.mesh);
@@ -68,18 +69,9 @@ class AnimationImporter {
   Animation run() {
     Animation animation;
     animation.name = source_.name;
-    for (const tinygltf::AnimationChannel& channel : source_.channels) {
-      if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
-        import_.report.fail(place_ + ".channels", "refers to samplers[" + std::to_string(channel.sampler) +
-                                                      "], but there are " +
-                                                      std::to_string(source_.samplers.size()));
-      }
-      if (channel.target_node < 0) continue;  // Nothing that glTF's core animates.
-      AnimationChannel result;
-      if (!read_target(channel, result)) continue;
-      read_keys(channel, result);
-      animation.duration_s = std::max(animation.duration_s, result.times_s.back());
-      animation.channels.push_back(std::move(result));
+    for (std::size_t i = 0; i < source_.channels.size(); ++i) {
+      read_or_warn(import_, false, "this channel is left out",
+                   [&] { read_channel(source_.channels[i], animation); });
     }
     return animation;
   }
@@ -87,6 +79,20 @@ class AnimationImporter {
  private:
   using Path = AnimationChannel::Path;
   using Interpolation = AnimationChannel::Interpolation;
+
+  void read_channel(const tinygltf::AnimationChannel& channel, Animation& animation) {
+    if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
+      import_.report.fail(place_ + ".channels", "refers to samplers[" + std::to_string(channel.sampler) +
+                                                    "], but there are " +
+                                                    std::to_string(source_.samplers.size()));
+    }
+    if (channel.target_node < 0) return;  // Nothing that glTF's core animates.
+    AnimationChannel result;
+    if (!read_target(channel, result)) return;
+    read_keys(channel, result);
+    animation.duration_s = std::max(animation.duration_s, result.times_s.back());
+    animation.channels.push_back(std::move(result));
+  }
 
   /// False, with a warning, when the channel moves nothing that can be moved.
   bool read_target(const tinygltf::AnimationChannel& channel, AnimationChannel& result) const {
@@ -150,7 +156,9 @@ class AnimationImporter {
 void import_skins(Import& import) {
   const auto& skins = import.document.model().skins;
   for (std::size_t i = 0; i < skins.size(); ++i) {
-    import.scene.skins.push_back(skin_of(import, skins[i], element("skins", i)));
+    Skin& skin = import.scene.skins.emplace_back();
+    read_or_warn(import, import.drawn.skins[i], "nothing drawn uses this skin",
+                 [&] { skin = skin_of(import, skins[i], element("skins", i)); });
   }
   check_joints(import);
 }

@@ -2,11 +2,21 @@
 // parent a node and no cycle. All walks use a list of their own instead of the program's stack.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
 
 #include "pipeline/gltf/import_parts.h"
 
 namespace barrido::scene::gltf {
 namespace {
+
+/// Coordinates of maps need all their digits.
+glm::dvec3 dvec3_of(const std::vector<double>& values, glm::dvec3 otherwise) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  if (values.size() != 3) return otherwise;
+  return glm::clamp(glm::dvec3(values[0], values[1], values[2]), -kLargest, kLargest);
+}
 
 glm::vec3 vec3_of(const std::vector<double>& values, glm::vec3 otherwise) {
   if (values.size() != 3) return otherwise;
@@ -35,11 +45,14 @@ glm::quat rotation_of(Import& import, const std::vector<double>& values) {
 Transform transform_of(Import& import, const tinygltf::Node& source) {
   Transform transform;
   if (source.matrix.size() == 16) {
-    glm::mat4 matrix;
-    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = to_float(source.matrix[static_cast<std::size_t>(i)]);
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    glm::dmat4 matrix;
+    for (int i = 0; i < 16; ++i) {
+      matrix[i / 4][i % 4] = std::clamp(source.matrix[static_cast<std::size_t>(i)], -kLargest, kLargest);
+    }
     transform.matrix = matrix;
   }
-  transform.translation = vec3_of(source.translation, {0, 0, 0});
+  transform.translation = dvec3_of(source.translation, {0, 0, 0});
   transform.rotation = rotation_of(import, source.rotation);
   transform.scale = vec3_of(source.scale, {1, 1, 1});
   return transform;
@@ -55,8 +68,8 @@ void check_weights(const Import& import, const tinygltf::Node& source, const std
   }
 }
 
-Node node_of(Import& import, const tinygltf::Node& source, const std::string& place) {
-  check_weights(import, source, place);
+Node node_of(Import& import, const tinygltf::Node& source, const std::string& place, bool is_drawn) {
+  if (is_drawn) check_weights(import, source, place);
   Node node;
   node.name = source.name;
   node.children = source.children;
@@ -114,8 +127,8 @@ void import_scenes(Import& import) {
     for (const int index : root.nodes) {
       const auto node = static_cast<std::size_t>(index);
       if (scene.nodes[node].parent != kNone) {
-        import.report.fail(element("scenes", i) + ".nodes",
-                           element("nodes", node) + " is not a root: it has a parent");
+        import.report.warn(element("scenes", i) + ".nodes: " + element("nodes", node) +
+                           " is not a root: it has a parent; drawn where that puts it");
       }
     }
     // Twice named is once drawn; below each naming a whole tree would be walked.
@@ -140,11 +153,37 @@ void import_scenes(Import& import) {
 
 }  // namespace
 
+DrawnElements find_drawn(const tinygltf::Model& model) {
+  DrawnElements drawn;
+  drawn.nodes.resize(model.nodes.size(), model.scenes.empty());
+  drawn.meshes.resize(model.meshes.size());
+  drawn.skins.resize(model.skins.size());
+  std::vector<int> waiting;
+  for (const tinygltf::Scene& scene : model.scenes) {
+    waiting.insert(waiting.end(), scene.nodes.begin(), scene.nodes.end());
+  }
+  while (!waiting.empty()) {
+    const auto index = static_cast<std::size_t>(waiting.back());
+    waiting.pop_back();
+    if (drawn.nodes[index]) continue;
+    drawn.nodes[index] = true;
+    const std::vector<int>& children = model.nodes[index].children;
+    waiting.insert(waiting.end(), children.begin(), children.end());
+  }
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const tinygltf::Node& node = model.nodes[i];
+    if (!drawn.nodes[i] || node.mesh < 0) continue;
+    drawn.meshes[static_cast<std::size_t>(node.mesh)] = true;
+    if (node.skin >= 0) drawn.skins[static_cast<std::size_t>(node.skin)] = true;
+  }
+  return drawn;
+}
+
 void import_nodes(Import& import) {
   const auto& nodes = import.document.model().nodes;
   import.scene.nodes.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    import.scene.nodes.push_back(node_of(import, nodes[i], element("nodes", i)));
+    import.scene.nodes.push_back(node_of(import, nodes[i], element("nodes", i), import.drawn.nodes[i]));
   }
   set_parents(import);
   check_cycles(import);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -15,13 +16,39 @@
 
 namespace barrido::scene::gltf {
 
+/// What the nodes of any scene use, and so whatever can be asked for; without scenes all nodes count.
+struct DrawnElements {
+  std::vector<bool> nodes, meshes, skins;
+};
+DrawnElements find_drawn(const tinygltf::Model& model);
+
 struct Import {
   Report& report;
   const Document& document;
   AccessorReader& reader;
   const ImportOptions& options;
   Scene& scene;
+  const DrawnElements& drawn;
 };
+
+/// Runs `read`; what is wrong with an element that is not drawn is a warning. @return whether it was read.
+template <typename Read>
+bool read_or_warn(Import& import, bool is_drawn, const char* consequence, Read read) {
+  if (is_drawn) {
+    read();
+    return true;
+  }
+  try {
+    read();
+    return true;
+  } catch (const LimitError&) {
+    throw;
+  } catch (const InputError& error) {
+    import.report.warn(std::string(error.what()).substr(import.report.file().size() + 2) + "; " +
+                       consequence);
+    return false;
+  }
+}
 
 /// extensionsRequired that are not supported end the import; unknown extensionsUsed are one warning.
 void check_extensions(Import& import);

@@ -5,6 +5,7 @@
 #include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/draw_state.h"
 #include "pipeline/scene/scene_nodes.h"
+#include "raster/reference/fragment_operations.h"
 #include "raster/reference/resolve.h"
 
 namespace barrido::inspect {
@@ -72,6 +73,7 @@ class PixelObserver final : public scene::FrameObserver {
         story.fragments.push_back(tell_fragment(context, place, std::move(fragment)));
       }
       tell_frame(frame, story);
+      if (frame.backing) make_straight(*frame.backing, trace, story);
       tell_result(trace, story);
     }
     return false;
@@ -82,6 +84,17 @@ class PixelObserver final : public scene::FrameObserver {
     story.perspective = !scene::is_parallel(frame.view);
     story.format = frame.options.format;
     story.display = frame.options.display;
+  }
+
+  static void make_straight(const scene::Backing& backing, raster::reference::PixelTrace& trace,
+                            PixelStory& story) {
+    const Color straight = scene::straight_color(trace.color, trace.depth, backing);
+    if (straight == trace.color) return;
+    story.blended = trace.color;
+    trace.color = straight;
+    trace.color8 = story.format == raster::ColorFormat::rgba32f
+                       ? raster::reference::display_color(story.display, straight)
+                       : raster::reference::pack_rgba8(straight);
   }
 
   static void tell_result(const raster::reference::PixelTrace& trace, PixelStory& story) {

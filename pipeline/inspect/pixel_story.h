@@ -131,7 +131,10 @@ struct PixelStory {
   float clear_depth = 1.0f;
   std::vector<FragmentStory> fragments;  ///< In drawing order.
   Color color{};                         ///< The pixel as the frame holds it: what the fragments left.
-  std::array<float, 3> displayed{};      ///< Exposed, tone-mapped and encoded, before rounding to 8 bits.
+  /// Over a background that lets something through: what the fragments left, before the colour was made
+  /// straight.
+  std::optional<Color> blended;
+  std::array<float, 3> displayed{};  ///< Exposed, tone-mapped and encoded, before rounding to 8 bits.
   float depth = 1.0f;
   std::array<std::uint8_t, 4> rgba8{};  ///< The pixel of the picture.
   /// The scene's nearest surface, as is seen: the last fragment that passed its depth test; −1: background.

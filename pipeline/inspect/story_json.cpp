@@ -209,6 +209,7 @@ std::string story_json(const PixelStory& story) {
   json["fragments"] = Json::array();
   for (const FragmentStory& fragment : story.fragments) json["fragments"].push_back(fragment_json(fragment));
   json["front"] = story.front < 0 ? Json(nullptr) : Json(story.front);
+  if (story.blended) json["blended"] = list(*story.blended);
   json["color"] = list(story.color);
   json["z"] = story.depth;
   json["display"] = story.format == raster::ColorFormat::rgba8

@@ -50,6 +50,10 @@ void tell_list(const PixelStory& story, Lines& lines) {
 void tell_display(const PixelStory& story, Lines& lines) {
   const std::string bytes = std::to_string(story.rgba8[0]) + ", " + std::to_string(story.rgba8[1]) + ", " +
                             std::to_string(story.rgba8[2]) + ", " + std::to_string(story.rgba8[3]);
+  if (story.blended) {
+    lines.add(0, "The fragments left " + tuple(*story.blended) +
+                     ", weighted by alpha; straight, and opaque where something solid is seen:");
+  }
   lines.add(0, "The pixel: " + tuple(story.color));
   if (story.format == raster::ColorFormat::rgba32f) {
     std::string steps;

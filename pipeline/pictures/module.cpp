@@ -73,12 +73,47 @@ PixelsOf<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioReader
   return rgba;
 }
 
+/// The picture upright: stored row and column of what is seen at (x, y), as TIFF 6.0 (tag 274) defines.
+template <class Pixels>
+Pixels upright(const Pixels& stored, const BarridoOiioHeader& header) {
+  const bool transposed = header.orientation >= 5;
+  const bool right_to_left = header.orientation == 2 || header.orientation == 3 || header.orientation == 7 ||
+                             header.orientation == 8;
+  const bool bottom_first = header.orientation == 3 || header.orientation == 4 || header.orientation == 6 ||
+                            header.orientation == 7;
+  const int width = transposed ? header.height : header.width;
+  const int height = transposed ? header.width : header.height;
+  Pixels seen;
+  seen.resize(stored.size());
+  auto out = seen.begin();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      int column = transposed ? y : x, row = transposed ? x : y;
+      if (right_to_left) column = header.width - 1 - column;
+      if (bottom_first) row = header.height - 1 - row;
+      const auto at = (std::ptrdiff_t{row} * header.width + column) * 4;
+      out = std::copy_n(stored.begin() + at, 4, out);
+    }
+  }
+  return seen;
+}
+
+/// Afterwards the header has the size of what is seen.
+template <class Pixels>
+Pixels made_upright(Pixels stored, BarridoOiioHeader& header) {
+  if (header.orientation == 1) return stored;
+  Pixels seen = upright(stored, header);
+  if (header.orientation >= 5) std::swap(header.width, header.height);
+  header.orientation = 1;
+  return seen;
+}
+
 template <class T>
 PixelsOf<T> read_straight(const BarridoOiioFunctions& functions, BarridoOiioReader* reader,
-                          const BarridoOiioHeader& header, T opaque, const std::string& name) {
+                          BarridoOiioHeader& header, T opaque, const std::string& name) {
   PixelsOf<T> rgba = read_pixels<T>(functions, reader, header, opaque, name);
   if (header.associated_alpha != 0) make_straight<T>(rgba, static_cast<float>(opaque));
-  return rgba;
+  return made_upright(std::move(rgba), header);
 }
 
 /// Opens the file and reads its header, which is checked.
@@ -95,6 +130,7 @@ Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem
     limits_here.max_pixels = limits.max_pixels / 2;
     limits_here.bytes_a_pixel = std::max<std::uint64_t>(limits.bytes_a_pixel, 16);
   }
+  if (header.orientation != 1) limits_here.bytes_a_pixel *= 2;  // As stored, and upright
   check_image_size(static_cast<std::uint64_t>(header.width), static_cast<std::uint64_t>(header.height), name,
                    limits_here);
   return reader;
@@ -128,12 +164,17 @@ Picture read_with_module(const std::filesystem::path& path, const FormatTraits& 
   BarridoOiioHeader header{};
   const Reader reader = open_checked(functions, path, format, limits, header);
   if (header.is_float != 0) {
-    FloatImage image{header.width, header.height, {}};
+    FloatImage image;
     image.rgba = read_straight<float>(functions, reader.get(), header, 1.0f, name);
+    image.width = header.width;
+    image.height = header.height;
     return image;
   }
-  Image image{name, header.width, header.height, {}};
+  Image image;
+  image.name = name;
   image.rgba = read_straight<std::uint8_t>(functions, reader.get(), header, 255, name);
+  image.width = header.width;
+  image.height = header.height;
   return image;
 }
 
@@ -144,12 +185,12 @@ StoredPicture read_stored_with_module(const std::filesystem::path& path, const F
   BarridoOiioHeader header{};
   const Reader reader = open_checked(functions, path, format, limits, header);
   StoredPicture picture;
-  picture.width = header.width;
-  picture.height = header.height;
   picture.channels = header.channels;
   picture.is_linear = header.is_float != 0;
   picture.is_associated = header.associated_alpha != 0;
-  picture.rgba = read_pixels<float>(functions, reader.get(), header, 1.0f, name);
+  picture.rgba = made_upright(read_pixels<float>(functions, reader.get(), header, 1.0f, name), header);
+  picture.width = header.width;
+  picture.height = header.height;
   return picture;
 }
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
+
+#include <glm/common.hpp>
 
 #include "raster/base/portable_math.h"
 
@@ -113,9 +116,12 @@ void apply(const AnimationChannel& channel, double time_s, Transform& transform,
   if (channel.times_s.empty()) return;
   const Moment moment = find_moment(channel.times_s, time_s);
   switch (channel.path) {
-    case Path::translation:
-      sample(channel, moment, std::span(&transform.translation.x, 3));
+    case Path::translation: {
+      glm::vec3 translation;
+      sample(channel, moment, std::span(&translation.x, 3));
+      transform.translation = translation;
       break;
+    }
     case Path::scale:
       sample(channel, moment, std::span(&transform.scale.x, 3));
       break;
@@ -130,7 +136,7 @@ void apply(const AnimationChannel& channel, double time_s, Transform& transform,
 
 /// Translation · rotation · scale (glTF 2.0, section 3.5.3).
 glm::mat4 local_matrix(const Transform& transform) {
-  if (transform.matrix) return *transform.matrix;
+  if (transform.matrix) return glm::mat4(*transform.matrix);
   const glm::quat& q = transform.rotation;
   const float xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   const float xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
@@ -140,7 +146,39 @@ glm::mat4 local_matrix(const Transform& transform) {
   const glm::vec3 y_axis(2.0f * (xy - wz), 1.0f - 2.0f * (xx + zz), 2.0f * (yz + wx));
   const glm::vec3 z_axis(2.0f * (xz + wy), 2.0f * (yz - wx), 1.0f - 2.0f * (xx + yy));
   return {glm::vec4(x_axis * s.x, 0), glm::vec4(y_axis * s.y, 0), glm::vec4(z_axis * s.z, 0),
-          glm::vec4(transform.translation, 1)};
+          glm::vec4(glm::vec3(transform.translation), 1)};
+}
+
+/// The same with the translation, and all of a matrix, in double precision.
+glm::dmat4 exact_local_matrix(const Transform& transform) {
+  if (transform.matrix) return *transform.matrix;
+  glm::dmat4 matrix(local_matrix(transform));
+  matrix[3] = glm::dvec4(transform.translation, 1.0);
+  return matrix;
+}
+
+/// Floats tell apart steps of 1/128 here. Beyond, translations that cancel would leave their rounding behind.
+constexpr double kFar = 65536.0;
+
+bool is_far(const glm::dvec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kFar; }
+
+bool reaches_far(const std::vector<Transform>& transforms) {
+  return std::any_of(transforms.begin(), transforms.end(), [](const Transform& transform) {
+    return is_far(transform.matrix ? glm::dvec3((*transform.matrix)[3]) : transform.translation);
+  });
+}
+
+/// The middle of what the nodes with meshes are at, where that is far away; in whole units, so that it can be
+/// taken away without a rounding.
+glm::dvec3 choose_origin(const Scene& scene, const std::vector<glm::dmat4>& world) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (scene.nodes[i].mesh == kNone) continue;
+    low = glm::min(low, glm::dvec3(world[i][3]));
+    high = glm::max(high, glm::dvec3(world[i][3]));
+  }
+  const glm::dvec3 middle = glm::round(low * 0.5 + high * 0.5);
+  return low.x <= high.x && is_far(middle) ? middle : glm::dvec3(0.0);
 }
 
 std::vector<float> standing_weights(const Scene& scene, const Node& node) {
@@ -150,8 +188,10 @@ std::vector<float> standing_weights(const Scene& scene, const Node& node) {
 }
 
 /// Parents before children; the stack is a list, so that no hierarchy is too deep.
-std::vector<glm::mat4> world_matrices(const Scene& scene, const std::vector<Transform>& transforms) {
-  std::vector<glm::mat4> world(scene.nodes.size(), glm::mat4(1.0f));
+template <class Matrix>
+std::vector<Matrix> world_matrices(const Scene& scene, const std::vector<Transform>& transforms,
+                                   Matrix (*local_matrix_of)(const Transform&)) {
+  std::vector<Matrix> world(scene.nodes.size(), Matrix(1.0f));
   std::vector<int> waiting;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].parent == kNone) waiting.push_back(static_cast<int>(i));
@@ -160,11 +200,24 @@ std::vector<glm::mat4> world_matrices(const Scene& scene, const std::vector<Tran
     const auto index = static_cast<std::size_t>(waiting.back());
     waiting.pop_back();
     const Node& node = scene.nodes[index];
-    const glm::mat4 local = local_matrix(transforms[index]);
+    const Matrix local = local_matrix_of(transforms[index]);
     world[index] = node.parent == kNone ? local : world[static_cast<std::size_t>(node.parent)] * local;
     waiting.insert(waiting.end(), node.children.begin(), node.children.end());
   }
   return world;
+}
+
+void place_nodes(const Scene& scene, const std::vector<Transform>& transforms, Pose& pose) {
+  if (!reaches_far(transforms)) {
+    pose.world_from_node = world_matrices(scene, transforms, local_matrix);
+    return;
+  }
+  pose.exact = world_matrices(scene, transforms, exact_local_matrix);
+  pose.origin = choose_origin(scene, pose.exact);
+  for (glm::dmat4 matrix : pose.exact) {
+    matrix[3] -= glm::dvec4(pose.origin, 0.0);
+    pose.world_from_node.emplace_back(matrix);
+  }
 }
 
 }  // namespace
@@ -188,8 +241,12 @@ Pose pose_at(const Scene& scene, int animation, double time_s) {
       apply(channel, time_s, transforms[node], pose.morph_weights[node]);
     }
   }
-  pose.world_from_node = world_matrices(scene, transforms);
+  place_nodes(scene, transforms, pose);
   return pose;
+}
+
+glm::dmat4 file_world_from_node(const Pose& pose, std::size_t node) {
+  return pose.exact.empty() ? glm::dmat4(pose.world_from_node[node]) : pose.exact[node];
 }
 
 }  // namespace barrido::scene

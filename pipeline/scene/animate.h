@@ -1,6 +1,7 @@
 // Poses: node matrices and deformed vertices of a scene at one moment (animation, morph targets, skins).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -9,10 +10,17 @@
 
 namespace barrido::scene {
 
+/// Where nodes are moved so far that floats would lose the model's own shape (coordinates of maps), the world
+/// is the file's about an origin near what is drawn.
 struct Pose {
-  std::vector<glm::mat4> world_from_node;         ///< One a node.
+  std::vector<glm::mat4> world_from_node;         ///< One a node; about `origin`.
+  glm::dvec3 origin{0, 0, 0};                     ///< In the file's world.
+  std::vector<glm::dmat4> exact;                  ///< File's world from node; empty where floats will do.
   std::vector<std::vector<float>> morph_weights;  ///< One a node with a mesh; empty otherwise.
 };
+
+/// The node's matrix in the file's own world.
+glm::dmat4 file_world_from_node(const Pose& pose, std::size_t node);
 
 /// The scene at `time_s` of animation `animation` (kNone: as it stands). Times beyond the keys are clamped.
 /// @throws std::out_of_range when there is no such animation.
@@ -21,7 +29,12 @@ Pose pose_at(const Scene& scene, int animation, double time_s);
 struct DeformedVertices {
   std::vector<float> positions;  ///< 3 floats a vertex
   std::vector<float> normals;    ///< 3 floats a vertex, unit length; empty when the primitive has none
-  bool in_world_space = false;   ///< Skinned vertices are; the node's matrix must not be applied again.
+  std::array<std::vector<float>, 2> texcoords;  ///< 2 floats a vertex; empty where no target moves them
+  std::vector<float> colors;                    ///< 4 floats a vertex; empty where no target changes them
+  /// Vertices whose joints turn left into right, so that the triangle they belong to is wound the other way;
+  /// empty where there are none.
+  std::vector<bool> mirrored;
+  bool in_world_space = false;  ///< Skinned vertices are; the node's matrix must not be applied again.
 };
 
 /// True when the primitive, as used by the node, must be deformed before drawing.

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "pipeline/scene/animate.h"
 
@@ -24,25 +25,45 @@ void for_chunks(std::size_t vertex_count, Work work) {
 void add_target(const FloatArray& target, float weight, std::vector<float>& values) {
   if (weight == 0.0f || target.size() != values.size()) return;
   const float* differences = target.data();
-  for_chunks(values.size() / 3, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = 3 * begin; i < 3 * end; ++i) values[i] += weight * differences[i];
+  for_chunks(values.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) values[i] += weight * differences[i];
   });
+}
+
+/// As above, for what few targets have: copied from `base` when the first one does.
+void add_target(const FloatArray& target, float weight, const FloatArray& base, std::vector<float>& values) {
+  if (weight == 0.0f || target.empty() || target.size() != base.size()) return;
+  if (values.empty()) values.assign(base.values().begin(), base.values().end());
+  add_target(target, weight, values);
 }
 
 void morph(const Primitive& primitive, const std::vector<float>& weights, DeformedVertices& vertices) {
   const std::size_t count = std::min(weights.size(), primitive.morph_targets.size());
   for (std::size_t i = 0; i < count; ++i) {
-    add_target(primitive.morph_targets[i].positions, weights[i], vertices.positions);
-    add_target(primitive.morph_targets[i].normals, weights[i], vertices.normals);
+    const MorphTarget& target = primitive.morph_targets[i];
+    add_target(target.positions, weights[i], vertices.positions);
+    add_target(target.normals, weights[i], vertices.normals);
+    add_target(target.colors, weights[i], primitive.colors, vertices.colors);
+    for (std::size_t set = 0; set < target.texcoords.size(); ++set) {
+      add_target(target.texcoords[set], weights[i], primitive.texcoords[set], vertices.texcoords[set]);
+    }
   }
+  // Colours are clamped after all targets (glTF 2.0, section 3.7.2.2).
+  for (float& value : vertices.colors) value = std::clamp(value, 0.0f, 1.0f);
 }
 
 /// World from skinned vertex, for each joint (glTF 2.0, section 3.7.3.3).
 std::vector<glm::mat4> joint_matrices(const Skin& skin, const Pose& pose) {
   std::vector<glm::mat4> matrices(skin.joints.size());
   for (std::size_t i = 0; i < matrices.size(); ++i) {
-    matrices[i] =
-        pose.world_from_node[static_cast<std::size_t>(skin.joints[i])] * skin.inverse_bind_matrices[i];
+    const auto joint = static_cast<std::size_t>(skin.joints[i]);
+    if (pose.exact.empty()) {
+      matrices[i] = pose.world_from_node[joint] * skin.inverse_bind_matrices[i];
+      continue;
+    }
+    glm::dmat4 matrix = pose.exact[joint] * glm::dmat4(skin.inverse_bind_matrices[i]);
+    matrix[3] -= glm::dvec4(pose.origin * matrix[3].w, 0.0);
+    matrices[i] = glm::mat4(matrix);
   }
   return matrices;
 }
@@ -56,6 +77,8 @@ glm::vec3 carry_normal(const glm::mat4& matrix, const glm::vec3& normal) {
   return (yz * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z) * sign;
 }
 
+bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::mat3(matrix)) < 0.0f; }
+
 glm::vec3 load(const std::vector<float>& values, std::size_t vertex) {
   return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
 }
@@ -66,6 +89,8 @@ void store(const glm::vec3& value, std::vector<float>& values, std::size_t verte
 
 void apply_skin(const Primitive& primitive, const std::vector<glm::mat4>& joints,
                 DeformedVertices& vertices) {
+  std::vector<std::uint8_t> mirrored;  // Bytes, since threads cannot share a word of bits.
+  if (std::any_of(joints.begin(), joints.end(), mirrors)) mirrored.resize(primitive.vertex_count);
   for_chunks(primitive.vertex_count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const float* weights = primitive.weights.data() + 4 * i;
@@ -73,12 +98,15 @@ void apply_skin(const Primitive& primitive, const std::vector<glm::mat4>& joints
       for (std::size_t j = 0; j < 4; ++j) {
         if (weights[j] != 0.0f) matrix += joints[primitive.joints[i][j]] * weights[j];
       }
+      if (!mirrored.empty()) mirrored[i] = mirrors(matrix) ? 1 : 0;
       store(glm::vec3(matrix * glm::vec4(load(vertices.positions, i), 1.0f)), vertices.positions, i);
       if (!vertices.normals.empty()) {
         store(carry_normal(matrix, load(vertices.normals, i)), vertices.normals, i);
       }
     }
   });
+  if (std::find(mirrored.begin(), mirrored.end(), 1) == mirrored.end()) return;
+  vertices.mirrored.assign(mirrored.begin(), mirrored.end());
 }
 
 /// Unit length; in double precision, since a normal carried through a small matrix is smaller still. A normal

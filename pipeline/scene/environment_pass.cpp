@@ -32,7 +32,8 @@ void draw_backdrop(pipeline::Renderer& renderer, const Backdrop& backdrop, const
                                           : view.clip_from_eye;
   state.depth_clamp = true;
   state.viewport.depth_near = state.viewport.depth_far = 1.0f;
-  state.depth = {true, false, raster::Compare::less_equal};
+  // Behind all that was drawn, also where that is as deep as can be.
+  state.depth = {true, false, view.clear_depth > 1.0f ? raster::Compare::less : raster::Compare::less_equal};
   state.clamp_colors = clamp_colors;
   state.texture_units[0].texture = backdrop.map;
   state.texture_units[0].min_filter =

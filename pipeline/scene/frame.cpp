@@ -128,7 +128,7 @@ PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneC
 
 View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettings& settings) {
   const Eye eye = choose_eye(scene, posed.nodes, posed.pose, posed.bounds, settings);
-  return view_of(eye, posed.bounds.sphere, aspect_of(settings));
+  return view_of(eye, posed.bounds.sphere, aspect_of(settings), posed.pose.origin);
 }
 
 Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,

@@ -2,12 +2,14 @@
 // pixel inspector and the views of cost and structure. Nothing here changes what is drawn.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pipeline/assembled_frame.h"
 #include "pipeline/geometry.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/render_scene.h"
+#include "pipeline/scene/straight_alpha.h"
 #include "raster/tiles/framebuffer.h"
 
 namespace barrido::scene {
@@ -29,6 +31,7 @@ struct ObservedFrame {
   const View& view;
   const SceneLights& lights;
   const raster::FramebufferOptions& options;
+  std::optional<Backing> backing;  ///< Where the finished colours are made straight.
 };
 
 class FrameObserver {

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "pipeline/scene/triangles.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene {
@@ -20,10 +21,34 @@ constexpr double kEyeElevationDeg = 18.0;
 constexpr double kMargin = 1.05;
 constexpr int kFramingMoments = 9;
 
+/// Which vertices of each primitive are drawn: empty for all. Found once for all looks at the scene.
+class DrawnVertices {
+ public:
+  DrawnVertices(const Scene& scene, std::span<const int> nodes) : by_mesh_(scene.meshes.size()) {
+    for (const int node : nodes) {
+      const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+      if (mesh == kNone) continue;
+      auto& primitives = by_mesh_[static_cast<std::size_t>(mesh)];
+      if (!primitives.empty()) continue;
+      for (const Primitive& p : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
+        primitives.push_back(drawn_vertices(p.mode, p.indices.values(), p.vertex_count));
+      }
+    }
+  }
+  const std::vector<bool>& of(int mesh, std::size_t primitive) const {
+    return by_mesh_[static_cast<std::size_t>(mesh)][primitive];
+  }
+
+ private:
+  std::vector<std::vector<std::vector<bool>>> by_mesh_;
+};
+
 /// Adds points to `gathered`, which is the same whatever their order.
 template <class Gathered>
-void add_points(std::span<const float> positions, const glm::dmat4& world_from_object, Gathered& gathered) {
+void add_points(std::span<const float> positions, const std::vector<bool>& drawn,
+                const glm::dmat4& world_from_object, Gathered& gathered) {
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+    if (!drawn.empty() && !drawn[i / 3]) continue;
     // Adding 0 turns −0 into 0, so that of equal numbers it does not matter which one is kept.
     const glm::dvec3 p =
         glm::dvec3(world_from_object * glm::dvec4(positions[i], positions[i + 1], positions[i + 2], 1.0)) +
@@ -32,34 +57,53 @@ void add_points(std::span<const float> positions, const glm::dmat4& world_from_o
   }
 }
 
-/// `empty` with every vertex of these nodes in world space; Gathered has add(point) and join(gathered).
+/// The nodes to look at, and when.
+struct Scenery {
+  const Scene& scene;
+  std::span<const int> nodes;
+  std::span<const Pose> poses;
+  DrawnVertices drawn{scene, nodes};
+};
+
 template <class Gathered>
-Gathered gather_points(const Scene& scene, std::span<const int> nodes, const Pose& pose,
-                       const Gathered& empty) {
-  using Range = tbb::blocked_range<std::size_t>;
-  const auto add_nodes = [&](const Range& range, Gathered gathered) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const int node = nodes[i];
-      const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
-      if (mesh == kNone) continue;
-      const glm::dmat4 world_from_node(pose.world_from_node[static_cast<std::size_t>(node)]);
-      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
-        if (is_deformed(scene, node, primitive)) {
-          const DeformedVertices deformed = deform(scene, pose, node, primitive);
-          add_points(deformed.positions, deformed.in_world_space ? glm::dmat4(1.0) : world_from_node,
-                     gathered);
-        } else {
-          add_points(primitive.positions.values(), world_from_node, gathered);
-        }
-      }
+void add_node(const Scenery& scenery, const Pose& pose, int node, Gathered& gathered) {
+  const Scene& scene = scenery.scene;
+  const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+  if (mesh == kNone) return;
+  const glm::dmat4 world_from_node = file_world_from_node(pose, static_cast<std::size_t>(node));
+  const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const std::vector<bool>& drawn = scenery.drawn.of(mesh, i);
+    if (is_deformed(scene, node, primitives[i])) {
+      const DeformedVertices deformed = deform(scene, pose, node, primitives[i]);
+      glm::dmat4 world_from_origin(1.0);
+      world_from_origin[3] += glm::dvec4(pose.origin, 0.0);
+      add_points(deformed.positions, drawn, deformed.in_world_space ? world_from_origin : world_from_node,
+                 gathered);
+    } else {
+      add_points(primitives[i].positions.values(), drawn, world_from_node, gathered);
     }
-    return gathered;
-  };
+  }
+}
+
+/// `gathered` with every drawn vertex of all nodes and poses in the file's world; Gathered has add(point) and
+/// join(gathered).
+template <class Gathered>
+Gathered gather_points(const Scenery& scenery, Gathered gathered) {
+  using Range = tbb::blocked_range<std::size_t>;
   const auto join = [](Gathered a, const Gathered& b) {
     a.join(b);
     return a;
   };
-  return tbb::parallel_reduce(Range(0, nodes.size()), empty, add_nodes, join);
+  for (const Pose& pose : scenery.poses) {
+    const auto add_nodes = [&](const Range& range, Gathered sum) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        add_node(scenery, pose, scenery.nodes[i], sum);
+      return sum;
+    };
+    gathered = tbb::parallel_reduce(Range(0, scenery.nodes.size()), gathered, add_nodes, join);
+  }
+  return gathered;
 }
 
 struct BoxGatherer {
@@ -134,12 +178,10 @@ class RingCollector {
   std::array<Slice, kSlices> slices_;
 };
 
-Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses) {
-  BoxGatherer box;
-  for (const Pose& pose : poses) box = gather_points(scene, nodes, pose, box);
+Sphere bounding_sphere(const Scenery& scenery) {
+  const BoxGatherer box = gather_points(scenery, BoxGatherer{});
   if (box.low.x > box.high.x) return {};
-  RadiusGatherer farthest{box.low * 0.5 + box.high * 0.5};
-  for (const Pose& pose : poses) farthest = gather_points(scene, nodes, pose, farthest);
+  const RadiusGatherer farthest = gather_points(scenery, RadiusGatherer{box.low * 0.5 + box.high * 0.5});
   Sphere sphere{farthest.center, std::sqrt(farthest.radius_squared)};
   // Below this the model is a point as far as single precision can tell.
   const double smallest = std::sqrt(glm::dot(sphere.center, sphere.center)) * 1e-6;
@@ -151,11 +193,10 @@ Sphere bounding_sphere(const Scene& scene, std::span<const int> nodes, std::span
 
 Bounds find_bounds(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses,
                    const glm::dvec3& up) {
+  const Scenery scenery{scene, nodes, poses};
   Bounds bounds;
-  bounds.sphere = bounding_sphere(scene, nodes, poses);
-  RingCollector collector(bounds.sphere, up);
-  for (const Pose& pose : poses) collector = gather_points(scene, nodes, pose, collector);
-  bounds.rings = collector.rings();
+  bounds.sphere = bounding_sphere(scenery);
+  bounds.rings = gather_points(scenery, RingCollector(bounds.sphere, up)).rings();
   return bounds;
 }
 

@@ -29,7 +29,8 @@ struct Bounds {
 };
 
 /// The sphere about the middle of the bounding box of all vertices that `nodes` draw in any of `poses`, and
-/// the rings around `up`. Vertices that are not finite are left out.
+/// the rings around `up`, in the file's world. Vertices that no triangle, line or point uses, and those that
+/// are not finite, are left out.
 Bounds find_bounds(const Scene& scene, std::span<const int> nodes, std::span<const Pose> poses,
                    const glm::dvec3& up);
 

@@ -54,12 +54,13 @@ void scale(pipeline::Light& light, float factor) {
 }
 
 std::vector<pipeline::Light> user_lights(const std::vector<UserLight>& lights,
-                                         const glm::mat4& world_from_eye) {
+                                         const glm::mat4& world_from_eye, const glm::dvec3& origin) {
   std::vector<pipeline::Light> converted;
   for (const UserLight& light : lights) {
-    converted.push_back(convert_light(light.light, {light.position, light.direction}));
-    if (light.space == UserLight::Space::camera)
-      converted.back() = transformed(converted.back(), world_from_eye);
+    const bool at_eye = light.space == UserLight::Space::camera;
+    const glm::vec3 position = at_eye ? light.position : glm::vec3(glm::dvec3(light.position) - origin);
+    converted.push_back(convert_light(light.light, {position, light.direction}));
+    if (at_eye) converted.back() = transformed(converted.back(), world_from_eye);
   }
   return converted;
 }
@@ -85,7 +86,13 @@ glm::vec3 choose_ambient(const Scene& scene, int scene_index, const RenderSettin
   return glm::vec3(settings.no_lights ? kAmbientWithoutLights : kDefaultAmbient);
 }
 
-void switch_off(std::vector<pipeline::Light>& lights, const std::vector<int>& off) {
+void switch_off(std::vector<pipeline::Light>& lights, const std::vector<int>& off,
+                std::vector<std::string>& warnings) {
+  const auto count = static_cast<int>(lights.size());
+  if (std::any_of(off.begin(), off.end(), [&](int place) { return place >= count; })) {
+    warnings.push_back("a light to be switched off does not exist: there " +
+                       (count == 1 ? std::string("is 1 light") : "are " + std::to_string(count) + " lights"));
+  }
   std::vector<pipeline::Light> on;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (std::find(off.begin(), off.end(), static_cast<int>(i)) == off.end()) on.push_back(lights[i]);
@@ -146,7 +153,7 @@ SceneLights choose_lights(const Scene& scene, const std::vector<int>& nodes, int
   if (settings.no_lights) return chosen;
   const glm::mat4 world_from_eye = glm::inverse(eye_from_world);
   if (!settings.lights.empty()) {
-    chosen.lights = user_lights(settings.lights, world_from_eye);
+    chosen.lights = user_lights(settings.lights, world_from_eye, pose.origin);
   } else {
     chosen.lights = file_lights(scene, nodes, pose, physical_scale);
   }
@@ -160,7 +167,7 @@ SceneLights choose_lights(const Scene& scene, const std::vector<int>& nodes, int
                        std::to_string(raster::kMaxLights) + " are used");
     chosen.lights.resize(raster::kMaxLights);
   }
-  switch_off(chosen.lights, settings.lights_off);
+  switch_off(chosen.lights, settings.lights_off, warnings);
   return chosen;
 }
 

@@ -9,6 +9,7 @@
 #include "pipeline/matrix.h"
 #include "pipeline/scene/framing.h"
 #include "pipeline/scene/light_conversion.h"
+#include "pipeline/scene/triangles.h"
 
 namespace barrido::scene {
 namespace {
@@ -81,7 +82,10 @@ void for_each_sample(const Scene& scene, const std::vector<int>& nodes, const Po
     const glm::dmat3 normal_matrix = pipeline::normal_matrix(world);
     for (const Primitive& primitive :
          scene.meshes[static_cast<std::size_t>(scene.nodes[index].mesh)].primitives) {
+      const std::vector<bool> drawn =
+          drawn_vertices(primitive.mode, primitive.indices.values(), primitive.vertex_count);
       for (; next < primitive.vertex_count; next += step) {
+        if (!drawn.empty() && !drawn[next]) continue;
         const float* p = primitive.positions.data() + 3 * next;
         const glm::vec3 position(world * glm::vec4(p[0], p[1], p[2], 1.0f));
         if (primitive.normals.empty()) {

@@ -156,7 +156,8 @@ void Overlay::draw_lights(pipeline::Renderer& renderer, const pipeline::State& b
   Lines lines;
   for (const pipeline::Light& light : frame.lights.lights) {
     MarkerBuilder builder(lines.positions, lines.colors, glm::vec3(color_of(seen_color(light))));
-    add_marker(builder, light, frame.posed.bounds.sphere);
+    const Sphere& sphere = frame.posed.bounds.sphere;
+    add_marker(builder, light, {sphere.center - frame.posed.pose.origin, sphere.radius});
   }
   submit(renderer, line_state(base), std::move(lines), glm::vec4(1.0f));
 }

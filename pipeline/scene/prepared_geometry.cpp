@@ -27,40 +27,57 @@ std::vector<float> gathered(std::span<const float> values, std::size_t component
   return result;
 }
 
-glm::vec3 center_of(std::span<const float> positions) {
+/// What a primitive is made of, in the file or after it was deformed.
+struct Vertices {
+  pipeline::PrimitiveMode mode;
+  std::uint32_t count;
+  std::span<const float> positions, normals, colors;
+  std::array<std::span<const float>, 2> texcoords;
+  std::span<const std::uint32_t> indices;
+};
+
+Vertices vertices_of(const Primitive& primitive) {
+  return {primitive.mode,
+          primitive.vertex_count,
+          primitive.positions.values(),
+          primitive.normals.values(),
+          primitive.colors.values(),
+          {primitive.texcoords[0].values(), primitive.texcoords[1].values()},
+          primitive.indices.values()};
+}
+
+glm::vec3 center_of(const Vertices& vertices) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::vector<bool> drawn = drawn_vertices(vertices.mode, vertices.indices, vertices.count);
   glm::vec3 low(kInfinity), high(-kInfinity);
-  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
-    const glm::vec3 p(positions[i], positions[i + 1], positions[i + 2]);
-    low = glm::min(low, p);
-    high = glm::max(high, p);
+  for (std::size_t i = 0; 3 * i + 2 < vertices.positions.size(); ++i) {
+    if (!drawn.empty() && !drawn[i]) continue;
+    const float* p = vertices.positions.data() + 3 * i;
+    low = glm::min(low, glm::vec3(p[0], p[1], p[2]));
+    high = glm::max(high, glm::vec3(p[0], p[1], p[2]));
   }
   return low.x <= high.x ? low * 0.5f + high * 0.5f : glm::vec3(0.0f);
 }
 
-/// All arrays as the primitive has them.
-void view_in_place(PreparedGeometry& out, const Primitive& primitive, std::span<const float> positions,
-                   std::span<const float> normals) {
-  out.geometry.mode = primitive.mode;
-  out.geometry.vertex_count = primitive.vertex_count;
-  out.geometry.position = attribute(positions, 3);
-  out.geometry.normal = attribute(normals, 3);
-  out.geometry.indices = primitive.indices;
-  out.colors = attribute(primitive.colors.values(), 4);
-  for (std::size_t set = 0; set < 2; ++set) {
-    out.texcoord_sets[set] = attribute(primitive.texcoords[set].values(), 2);
-  }
+/// All arrays as they are.
+void view_in_place(PreparedGeometry& out, const Vertices& vertices) {
+  out.geometry.mode = vertices.mode;
+  out.geometry.vertex_count = vertices.count;
+  out.geometry.position = attribute(vertices.positions, 3);
+  out.geometry.normal = attribute(vertices.normals, 3);
+  out.geometry.indices = vertices.indices;
+  out.colors = attribute(vertices.colors, 4);
+  for (std::size_t set = 0; set < 2; ++set) out.texcoord_sets[set] = attribute(vertices.texcoords[set], 2);
 }
 
 /// New arrays in which every vertex has a normal.
-void split_for_normals(PreparedGeometry& out, const Primitive& primitive, std::span<const float> positions,
+void split_for_normals(PreparedGeometry& out, const Vertices& vertices,
                        std::optional<float> crease_angle_deg) {
-  const std::vector<std::uint32_t> triangles =
-      triangle_list(primitive.mode, primitive.indices, primitive.vertex_count);
-  NormalSplit split = crease_angle_deg ? averaged_normals(positions, triangles, *crease_angle_deg)
-                                       : flat_normals(positions, triangles);
-  out.positions = gathered(positions, 3, split.source);
-  out.own_colors = gathered(primitive.colors.values(), 4, split.source);
+  const std::vector<std::uint32_t> triangles = triangle_list(vertices.mode, vertices.indices, vertices.count);
+  NormalSplit split = crease_angle_deg ? averaged_normals(vertices.positions, triangles, *crease_angle_deg)
+                                       : flat_normals(vertices.positions, triangles);
+  out.positions = gathered(vertices.positions, 3, split.source);
+  out.own_colors = gathered(vertices.colors, 4, split.source);
   out.normals = std::move(split.normals);
   out.indices = std::move(split.indices);
   out.geometry.mode = pipeline::PrimitiveMode::triangles;
@@ -70,34 +87,56 @@ void split_for_normals(PreparedGeometry& out, const Primitive& primitive, std::s
   out.geometry.indices = out.indices;
   out.colors = attribute(out.own_colors, 4);
   for (std::size_t set = 0; set < 2; ++set) {
-    out.texcoords[set] = gathered(primitive.texcoords[set].values(), 2, split.source);
+    out.texcoords[set] = gathered(vertices.texcoords[set], 2, split.source);
     out.texcoord_sets[set] = attribute(out.texcoords[set], 2);
   }
 }
 
-void fill(PreparedGeometry& out, const Primitive& primitive, std::span<const float> positions,
-          std::span<const float> normals, std::optional<float> crease_angle_deg) {
-  out.center = center_of(positions);
-  if (normals.empty() && is_surface(primitive.mode)) {
-    split_for_normals(out, primitive, positions, crease_angle_deg);
+void fill(PreparedGeometry& out, const Vertices& vertices, std::optional<float> crease_angle_deg) {
+  out.center = center_of(vertices);
+  if (vertices.normals.empty() && is_surface(vertices.mode)) {
+    split_for_normals(out, vertices, crease_angle_deg);
   } else {
-    view_in_place(out, primitive, positions, normals);
+    view_in_place(out, vertices);
   }
+}
+
+/// The triangles, those that their joints mirror wound the other way; the last vertex stays the provoking
+/// one.
+std::vector<std::uint32_t> rewound(const Vertices& vertices, const std::vector<bool>& mirrored) {
+  std::vector<std::uint32_t> triangles = triangle_list(vertices.mode, vertices.indices, vertices.count);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const int corners = mirrored[triangles[i]] + mirrored[triangles[i + 1]] + mirrored[triangles[i + 2]];
+    if (corners >= 2) std::swap(triangles[i], triangles[i + 1]);
+  }
+  return triangles;
 }
 
 }  // namespace
 
 std::unique_ptr<PreparedGeometry> prepare(const Primitive& primitive, std::optional<float> crease_angle_deg) {
   auto prepared = std::make_unique<PreparedGeometry>();
-  fill(*prepared, primitive, primitive.positions.values(), primitive.normals.values(), crease_angle_deg);
+  fill(*prepared, vertices_of(primitive), crease_angle_deg);
   return prepared;
 }
 
-std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices vertices,
+std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices deformed,
                                                    std::optional<float> crease_angle_deg) {
   auto prepared = std::make_unique<PreparedGeometry>();
-  prepared->deformed = std::move(vertices);
-  fill(*prepared, primitive, prepared->deformed.positions, prepared->deformed.normals, crease_angle_deg);
+  DeformedVertices& own = prepared->deformed = std::move(deformed);
+  Vertices vertices = vertices_of(primitive);
+  vertices.positions = own.positions;
+  vertices.normals = own.normals;
+  if (!own.colors.empty()) vertices.colors = own.colors;
+  for (std::size_t set = 0; set < 2; ++set) {
+    if (!own.texcoords[set].empty()) vertices.texcoords[set] = own.texcoords[set];
+  }
+  if (!own.mirrored.empty() && is_surface(vertices.mode)) {
+    prepared->rewound = rewound(vertices, own.mirrored);
+    vertices.mode = pipeline::PrimitiveMode::triangles;
+    vertices.indices = prepared->rewound;
+  }
+  fill(*prepared, vertices, crease_angle_deg);
   return prepared;
 }
 

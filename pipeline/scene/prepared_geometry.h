@@ -35,6 +35,7 @@ struct PreparedGeometry {
   std::array<std::vector<float>, 2> texcoords;
   std::vector<float> own_colors;
   std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> rewound;  ///< Triangles of a skin that mirrors some of them
   std::map<std::array<float, 4>, std::vector<float>> scaled_colors;
 };
 
@@ -43,7 +44,7 @@ struct PreparedGeometry {
 std::unique_ptr<PreparedGeometry> prepare(const Primitive& primitive, std::optional<float> crease_angle_deg);
 
 /// The primitive with these vertices in place of its own.
-std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices vertices,
+std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices deformed,
                                                    std::optional<float> crease_angle_deg);
 
 /// The colours times `scale`, made once; the array itself when the scale is 1. Absent when there are none.

@@ -9,11 +9,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "pipeline/scene/blended_order.h"
 #include "pipeline/scene/environment_pass.h"
 #include "pipeline/scene/frame.h"
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/overlay.h"
-#include "pipeline/scene/sorting.h"
+#include "pipeline/scene/straight_alpha.h"
+#include "pipeline/scene/why_empty.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene {
@@ -34,6 +36,7 @@ struct Pass {
   /// Cube maps of single nodes, in world space; the others reflect the frame's surroundings.
   const std::map<int, raster::Texture>* node_maps = nullptr;
   FrameObserver* observer = nullptr;
+  std::optional<Backing> backing;
 };
 
 glm::mat4 world_from_eye_rotation(const View& view) {
@@ -44,7 +47,7 @@ raster::FramebufferOptions frame_options(const RenderSettings& settings) {
   raster::FramebufferOptions options;
   options.width = settings.width;
   options.height = settings.height;
-  options.keep_depth = false;
+  options.keep_depth = settings.keep_depth;
   if (!uses_float_frame(settings)) return options;
   options.format = raster::ColorFormat::rgba32f;
   options.keep_float = settings.keep_float;
@@ -53,11 +56,42 @@ raster::FramebufferOptions frame_options(const RenderSettings& settings) {
   return options;
 }
 
+/// Where blended or cut-out surfaces lie before a background that lets something through, colours must be
+/// made straight at the end.
+std::optional<Backing> backing_of(const Frame& frame) {
+  const glm::vec4& c = frame.clear_color;
+  const std::vector<Draw>& draws = frame.list.draws;
+  const bool is_mixed = std::any_of(draws.begin(), draws.end(), [](const Draw& draw) {
+    return draw.surface.alpha_mode != AlphaMode::opaque;
+  });
+  if (!is_mixed || c.a >= 1.0f || frame.backdrop_in_view) return std::nullopt;
+  return Backing{{c.r, c.g, c.b, c.a}, frame.view.clear_depth};
+}
+
+/// What making colours straight needs to know is kept until that is done.
+raster::FramebufferOptions frame_options(const RenderSettings& settings, bool has_backing) {
+  raster::FramebufferOptions options = frame_options(settings);
+  options.keep_depth = options.keep_depth || has_backing;
+  options.keep_float = options.keep_float || (has_backing && uses_float_frame(settings));
+  return options;
+}
+
+void finish_colors(raster::Framebuffer& framebuffer, const std::optional<Backing>& backing,
+                   const RenderSettings& settings) {
+  if (backing) {
+    make_straight(framebuffer, *backing);
+    if (!settings.keep_depth) framebuffer.depth() = {};
+    if (!settings.keep_float) framebuffer.color_float() = {};
+  }
+  // A background deeper than everything is the renderer's own device.
+  for (float& depth : framebuffer.depth()) depth = std::min(depth, 1.0f);
+}
+
 /// A face of an environment map holds light, not a picture: no exposure, no tone reproduction.
 raster::FramebufferOptions face_options(const RenderSettings& settings) {
   raster::FramebufferOptions options = frame_options(settings);
   options.width = options.height = kDynamicMapSize;
-  options.keep_float = false;
+  options.keep_float = options.keep_depth = false;
   options.display.exposure_scale = 1.0f;
   options.display.tone_map = raster::ToneMap::clamp;
   return options;
@@ -83,7 +117,10 @@ class PassRenderer {
 
   pipeline::Statistics run() {
     raster::ClearValues clear;
-    clear.color = {frame_.clear_color.r, frame_.clear_color.g, frame_.clear_color.b, frame_.clear_color.a};
+    const glm::vec4& color = frame_.clear_color;
+    const float weight = pass_.backing ? color.a : 1.0f;
+    clear.color = {color.r * weight, color.g * weight, color.b * weight, color.a};
+    clear.depth = pass_.view.clear_depth;
     renderer_.clear(clear);
     for (const Draw& draw : frame_.list.draws) {
       if (draw.surface.alpha_mode != AlphaMode::blend) submit(draw, draw.geometry);
@@ -100,11 +137,17 @@ class PassRenderer {
     // Lines over the picture are nothing of the file's.
     origins_.resize(origins_.size() + assembled_.draws.size() - own);
     const bool drawn =
-        pass_.observer == nullptr ||
-        pass_.observer->observe({assembled_, origins_, pass_.view, frame_.lights, framebuffer_.options()});
+        pass_.observer == nullptr || pass_.observer->observe({assembled_, origins_, pass_.view, frame_.lights,
+                                                              framebuffer_.options(), pass_.backing});
     if (drawn) renderer_.finish();
+    drawn_ = drawn;
     return renderer_.statistics();
   }
+
+  /// After run(): into how many slices blended triangles were sorted; 0: one by one.
+  int slices() const { return order_.slices; }
+  /// After run(): false when an observer did not want it.
+  bool is_drawn() const { return drawn_; }
 
  private:
   void submit(const Draw& draw, const pipeline::Geometry& geometry) {
@@ -116,23 +159,23 @@ class PassRenderer {
     renderer_.draw(state_of(base_, settings_, pass_.view, draw, reflection_of(draw), write_alpha), geometry);
   }
 
-  /// Whole draws by their middles, then the triangles within each.
+  /// The triangles of all of them in one order.
   void submit_blended() {
     std::vector<const Draw*> blended;
-    std::vector<float> distances;
+    std::vector<BlendedDraw> ordered;
     for (const Draw& draw : frame_.list.draws) {
-      if (draw.surface.alpha_mode != AlphaMode::blend) continue;
+      if (draw.surface.alpha_mode != AlphaMode::blend || draw.node == pass_.without_node) continue;
       blended.push_back(&draw);
-      distances.push_back(distance_of(draw)(draw.center));
+      ordered.push_back({&draw.geometry, distance_of(draw), draw.center});
     }
-    for (const std::uint32_t i : farthest_first(distances)) {
-      pipeline::Geometry geometry = blended[i]->geometry;
-      sorted_.push_back(triangles_back_to_front(geometry, distance_of(*blended[i])));
-      if (!sorted_.back().empty()) {
+    order_ = order_blended(ordered);
+    for (const BlendedPiece& piece : order_.pieces) {
+      pipeline::Geometry geometry = blended[piece.draw]->geometry;
+      if (!piece.indices.empty()) {
         geometry.mode = pipeline::PrimitiveMode::triangles;
-        geometry.indices = sorted_.back();
+        geometry.indices = piece.indices;
       }
-      submit(*blended[i], geometry);
+      submit(*blended[piece.draw], geometry);
     }
   }
 
@@ -165,7 +208,8 @@ class PassRenderer {
   pipeline::State base_;
   Overlay overlay_;
   glm::mat4 surroundings_from_eye_;
-  std::vector<std::vector<std::uint32_t>> sorted_;  // index lists of this pass, until it is finished
+  BlendedOrder order_;  // index lists of this pass, until it is finished
+  bool drawn_ = false;
 };
 
 /// The nodes that reflect enough to have surroundings of their own, with the middle of what they draw.
@@ -199,17 +243,29 @@ struct SceneRenderer::Implementation {
     std::vector<raster::Framebuffer> faces;
     ReflectionMaps unused;
     for (int face = 0; face < raster::kCubeFaces; ++face) {
-      const Pass pass{cube_face_view(face, center, frame.posed.bounds.sphere),
+      const Sphere& sphere = frame.posed.bounds.sphere;
+      const Pass pass{cube_face_view(face, center, {sphere.center - frame.posed.pose.origin, sphere.radius}),
                       1.0,
                       frame.backdrop_in_reflection,
                       {},
                       node,
                       nullptr,
-                      nullptr};
+                      nullptr,
+                      {}};
       faces.emplace_back(face_options(settings));
       add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
     }
     return cube_of_frames(faces, color_encoding(settings));
+  }
+
+  void warn(const Frame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn,
+            int slices) {
+    if (std::string reason = why_empty(frame, settings, drawn); !reason.empty()) warnings.push_back(reason);
+    if (slices == 0) return;
+    warnings.push_back(
+        "transparent surfaces lie within each other too often to sort all their triangles: "
+        "they are sorted in " +
+        std::to_string(slices) + " slices");
   }
 
   std::map<int, raster::Texture> environments(const RenderSettings& settings, const Frame& frame,
@@ -235,16 +291,22 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
                                           FrameObserver* observer) {
   Implementation& self = *implementation_;
   self.warnings.clear();
-  raster::Framebuffer framebuffer(frame_options(settings));
   const Frame frame = prepare_frame(self.scene, settings, self.caches, self.warnings);
+  const std::optional<Backing> backing = backing_of(frame);
+  raster::Framebuffer framebuffer(frame_options(settings, backing.has_value()));
   pipeline::Statistics work;
   std::map<int, raster::Texture> node_maps;
   if (settings.dynamic_environment) node_maps = self.environments(settings, frame, work);
   ReflectionMaps node_reflections;
-  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, settings.overlays, kNone,
-                  &node_maps, observer};
-  add(work,
-      PassRenderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer).run());
+  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, settings.overlays, kNone, &node_maps,
+                  observer,   backing};
+  PassRenderer renderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer);
+  const pipeline::Statistics own = renderer.run();
+  add(work, own);
+  if (renderer.is_drawn()) {
+    finish_colors(framebuffer, backing, settings);
+    self.warn(frame, settings, own, renderer.slices());
+  }
   if (statistics != nullptr) *statistics = work;
   return framebuffer;
 }

@@ -31,8 +31,10 @@ struct UserLight {
 
 /// The view, resolved: where the eye is and what it sees.
 struct View {
-  glm::mat4 eye_from_world{1.0f};
+  glm::mat4 eye_from_world{1.0f};  ///< The world as the frame holds it: about Pose::origin.
   glm::mat4 clip_from_eye{1.0f};
+  /// To begin with; more than 1 where so much lies between near and far plane that depths round to 1.
+  float clear_depth = 1.0f;
 };
 
 struct CameraChoice {
@@ -99,6 +101,7 @@ struct RenderSettings {
   int animation = kNone;
   double time_s = 0.0;
   bool keep_float = false;  ///< Keep float colours for exr and hdr.
+  bool keep_depth = false;  ///< Keep the depth for reading; 1 where nothing was drawn.
   bool visibility_first = true;
   raster::StageProfile* profile = nullptr;  ///< Where the time goes is added here; null: no clock is read.
 };

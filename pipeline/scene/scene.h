@@ -117,9 +117,12 @@ struct Material {
   ExactMaterial exact;
 };
 
+/// Differences, one element a vertex; each may be empty.
 struct MorphTarget {
-  FloatArray positions;  ///< 3 floats a vertex, differences; may be empty
-  FloatArray normals;    ///< 3 floats a vertex, differences; may be empty
+  FloatArray positions;                 ///< 3 floats
+  FloatArray normals;                   ///< 3 floats
+  std::array<FloatArray, 2> texcoords;  ///< 2 floats
+  FloatArray colors;                    ///< 4 floats
 };
 
 /// One primitive of a mesh. Arrays are tightly packed, one element a vertex; all but positions may be empty.
@@ -146,10 +149,10 @@ struct Mesh {
 
 /// Local transform, either as a matrix or as translation, rotation and scale (which animations need).
 struct Transform {
-  glm::vec3 translation{0, 0, 0};
+  glm::dvec3 translation{0, 0, 0};
   glm::quat rotation{1, 0, 0, 0};
   glm::vec3 scale{1, 1, 1};
-  std::optional<glm::mat4> matrix;
+  std::optional<glm::dmat4> matrix;
 };
 
 struct Node {

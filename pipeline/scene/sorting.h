@@ -25,11 +25,4 @@ class EyeDistance {
   bool parallel_;
 };
 
-/// 0, 1, 2, … ordered by falling `distance`; equals stay in order, and so does what is not a number.
-std::vector<std::uint32_t> farthest_first(std::span<const float> distance);
-
-/// The triangles of a surface as a list, farthest middle first; empty for points and lines.
-std::vector<std::uint32_t> triangles_back_to_front(const pipeline::Geometry& geometry,
-                                                   const EyeDistance& distance);
-
 }  // namespace barrido::scene

@@ -35,4 +35,40 @@ std::vector<std::uint32_t> triangle_list(pipeline::PrimitiveMode mode, std::span
   return list;
 }
 
+namespace {
+
+/// How many of `count` vertices in order make whole points, lines and triangles.
+std::size_t whole_count(pipeline::PrimitiveMode mode, std::size_t count) {
+  switch (mode) {
+    case pipeline::PrimitiveMode::points:
+      return count;
+    case pipeline::PrimitiveMode::lines:
+      return count / 2 * 2;
+    case pipeline::PrimitiveMode::line_loop:
+    case pipeline::PrimitiveMode::line_strip:
+      return count >= 2 ? count : 0;
+    case pipeline::PrimitiveMode::triangles:
+      return count / 3 * 3;
+    default:
+      return count >= 3 ? count : 0;
+  }
+}
+
+}  // namespace
+
+std::vector<bool> drawn_vertices(pipeline::PrimitiveMode mode, std::span<const std::uint32_t> indices,
+                                 std::uint32_t vertex_count) {
+  const std::size_t whole = whole_count(mode, indices.empty() ? vertex_count : indices.size());
+  if (indices.empty() && whole == vertex_count) return {};
+  std::vector<bool> drawn(vertex_count, false);
+  std::size_t missing = vertex_count;
+  for (std::size_t i = 0; i < whole; ++i) {
+    const std::size_t vertex = indices.empty() ? i : indices[i];
+    if (drawn[vertex]) continue;
+    drawn[vertex] = true;
+    if (--missing == 0) return {};
+  }
+  return drawn;
+}
+
 }  // namespace barrido::scene

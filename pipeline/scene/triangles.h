@@ -18,4 +18,8 @@ bool is_surface(pipeline::PrimitiveMode mode);
 std::vector<std::uint32_t> triangle_list(pipeline::PrimitiveMode mode, std::span<const std::uint32_t> indices,
                                          std::uint32_t vertex_count);
 
+/// Which vertices belong to a point, a line or a triangle; empty when all do.
+std::vector<bool> drawn_vertices(pipeline::PrimitiveMode mode, std::span<const std::uint32_t> indices,
+                                 std::uint32_t vertex_count);
+
 }  // namespace barrido::scene

@@ -82,12 +82,30 @@ void choose_planes(Eye& eye, const Sphere& bounds, const CameraChoice& choice) {
   eye.far_plane = infinite ? 0.0 : std::max(given ? eye.far_plane : 0.0, far_plane);
 }
 
+/// Of floats from 0 to 1 those near 1 are 6·10⁻⁸ apart: beyond this ratio of far to near all far things would
+/// have one depth.
+constexpr double kCoarseRatio = 1e6;
+
+/// The ratio of the farthest thing's distance to the near plane's.
+double depth_ratio(const Eye& eye, const Sphere& bounds) {
+  if (eye.orthographic || !(eye.near_plane > 0.0)) return 1.0;
+  return (glm::dot(bounds.center - eye.position, forward_of(eye, bounds)) + bounds.radius) / eye.near_plane;
+}
+
+/// A near plane much nearer than anything moves up to what is seen first: nothing is cut off.
+void spare_depth(Eye& eye, const Sphere& bounds) {
+  if (depth_ratio(eye, bounds) <= kCoarseRatio) return;
+  const double depth = glm::dot(bounds.center - eye.position, forward_of(eye, bounds));
+  const double nearest = depth - bounds.radius * 1.02 - std::abs(depth) * 1e-3;
+  eye.near_plane = std::max(eye.near_plane, nearest);
+}
+
 }  // namespace
 
 Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const Sphere& bounds) {
   const auto node = static_cast<std::size_t>(camera_node);
   const Camera& camera = scene.cameras[static_cast<std::size_t>(scene.nodes[node].camera)];
-  const glm::dmat4 world_from_node(pose.world_from_node[node]);
+  const glm::dmat4 world_from_node = file_world_from_node(pose, node);
   Eye eye;
   eye.position = glm::dvec3(world_from_node[3]);
   eye.up = unit_or(glm::dvec3(world_from_node[1]), {0, 1, 0});
@@ -129,6 +147,7 @@ Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& po
   apply_overrides(eye, choice);
   orbit(eye, choice);
   choose_planes(eye, bounds.sphere, choice);
+  spare_depth(eye, bounds.sphere);
   return eye;
 }
 
@@ -140,9 +159,11 @@ glm::mat4 eye_from_world(const glm::dvec3& position, const glm::dvec3& forward, 
                               glm::dvec4(x.z, y.z, -forward.z, 0.0), glm::dvec4(origin, 1.0)));
 }
 
-View view_of(const Eye& eye, const Sphere& bounds, double aspect) {
+View view_of(const Eye& eye, const Sphere& bounds, double aspect, const glm::dvec3& origin) {
   View view;
-  view.eye_from_world = scene::eye_from_world(eye.position, forward_of(eye, bounds), eye.up);
+  view.eye_from_world = scene::eye_from_world(eye.position - origin, forward_of(eye, bounds), eye.up);
+  // What rounds to the largest depth is still in front of what is not there.
+  if (depth_ratio(eye, bounds) > kCoarseRatio) view.clear_depth = 2.0f;
   if (eye.orthographic) {
     const double half_width = eye.half_height * aspect;
     view.clip_from_eye = pipeline::orthographic(-half_width, half_width, -eye.half_height, eye.half_height,

@@ -39,7 +39,7 @@ Eye choose_eye(const Scene& scene, const std::vector<int>& nodes, const Pose& po
 /// only not be parallel to it, and even that does no harm.
 glm::mat4 eye_from_world(const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& up);
 
-/// Matrices of `eye` for a frame of this aspect (width / height).
-View view_of(const Eye& eye, const Sphere& bounds, double aspect);
+/// Matrices of `eye` for a frame of this aspect (width / height), whose world is the file's about `origin`.
+View view_of(const Eye& eye, const Sphere& bounds, double aspect, const glm::dvec3& origin = {0, 0, 0});
 
 }  // namespace barrido::scene

@@ -84,8 +84,12 @@ def nodes_of_scene(tree: dict, index: int | None) -> list[int]:
 
 
 def corners_of(mode: int, indices: list[int]) -> list[int]:
-    """The vertices of the triangles of a surface, as OpenGL winds them; of points and lines all."""
+    """The vertices of the whole triangles of a surface, as OpenGL winds them; of whole points and lines."""
     count = len(indices)
+    if mode == LINES:
+        return indices[:count - count % 2]
+    if mode in (LINE_LOOP, LINE_STRIP):
+        return indices if count >= 2 else []
     if mode == TRIANGLES:
         return indices[:count - count % 3]
     if mode == STRIP:

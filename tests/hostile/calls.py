@@ -23,8 +23,8 @@ class Case:
     name: str
     files: dict[str, bytes]
     words: list[str]
-    expect: str = "either"  # fine, error or either
-    says: str = ""  # Part of the line of an error
+    expect: str = "either"  # fine, error, warned (drawn, with a warning), told (warned or an error) or either
+    says: str = ""  # Part of the line of an error or a warning
     prepare: Callable[[pathlib.Path], None] | None = None  # For what is no plain file
     writes: str = "out.png"  # What is there afterwards if all is fine; empty: nothing
     fine: tuple[int, ...] = (0,)
@@ -79,9 +79,11 @@ def problem_of(case: Case, answer: Answer, before: set[str], folder: pathlib.Pat
     if answer.status != 2:
         if case.expect == "error":
             return "no error"
+        if case.expect in ("warned", "told") and not any(case.says in line for line in answer.lines):
+            return f"no warning that says '{case.says}'"
         missing = case.writes and case.writes not in left
         return f"{case.writes} is missing" if missing else ""
-    if case.expect == "fine":
+    if case.expect in ("fine", "warned"):
         return "an error"
     errors = [line for line in answer.lines if not line.startswith("barrido: warning: ")]
     if len(errors) != 1:

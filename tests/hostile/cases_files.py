@@ -32,7 +32,9 @@ def uri_case(name: str, uri: str, expect: str = "error", says: str = "", prepare
     for array in arrays:
         files = {"in/model.gltf": with_uri(uri, array), "in/good": good[array], "in/sub/good": good[array],
                  "in/a b%41": good[array], "outside": good[array], "in2/good": good[array]}
-        yield Case(f"{array}: {name}", files, RENDER, expect, says, prepare)
+        # What is missing of a buffer cannot be drawn; a material can be drawn without a picture.
+        expected = "warned" if array == "images" and expect == "error" else expect
+        yield Case(f"{array}: {name}", files, RENDER, expected, says, prepare)
 
 
 def link(target: str, name: str) -> Callable[[pathlib.Path], None]:

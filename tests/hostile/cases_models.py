@@ -202,7 +202,7 @@ def hierarchies() -> Iterator[Case]:
     yield nodes("a diamond", {0: [1, 2], 1: [3], 2: [3]}, [0])
     yield nodes("the same child twice", {0: [1, 1]}, [0])
     yield nodes("a root twice", {}, [0, 0], "either")
-    yield nodes("a root that has a parent", {0: [1]}, [0, 1])
+    yield nodes("a root that has a parent", {0: [1]}, [0, 1], "warned")
     yield nodes("itself", {0: [0]}, [0])
     yield nodes("itself, beside the scene", {1: [1]}, [0])
 

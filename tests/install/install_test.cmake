@@ -28,3 +28,12 @@ run(${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/check_triangle.py ${WORK_DIR}/triangle.p
 
 build_project(${CMAKE_CURRENT_LIST_DIR}/consumer)
 run(${WORK_DIR}/consumer/consumer ${SOURCE_DIR}/models/teapot.glb)
+
+build_project(${SOURCE_DIR}/examples/model)
+execute_process(COMMAND ${WORK_DIR}/model/model ${SOURCE_DIR}/models/teapot.glb OUTPUT_VARIABLE modes
+                COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "\n?([a-z-]+) +[1-9][0-9]+ pixels, mean colour [1-9][^\n]* nearest depth 0\\.[0-9]+" lines "${modes}")
+list(LENGTH lines count)
+if(NOT count EQUAL 4)
+  message(FATAL_ERROR "examples/model wrote:\n${modes}")
+endif()

@@ -61,7 +61,12 @@ def follow(reader: Reader) -> None:
     reader.expect(reader.failed_tests() == ["showcase.png", "teapot.png"], f"failed: {reader.failed_tests()}")
     reader.expect("2 of 3 pairs failed" in (folder / "report/index.html").read_text(encoding="utf-8"), "no such report")
 
+    (folder / "models/broken.glb").write_bytes(b"glTF of a kind")
+    reader.run("a new model is broken", [], 2)
+    reader.expect("showcase.png" in reader.failed_tests(), "no report beside a broken model")
     (folder / "golden/showcase.png").unlink()
+    reader.run("only the broken model is wrong", ["--bless"], 2)
+    (folder / "models/broken.glb").unlink()
     reader.run("the change is wanted", ["--bless"], 0)
     reader.run("after that", [], 0)
 

@@ -2,10 +2,12 @@
 // status 2.
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "pipeline/files/error.h"
 #include "viewer/barrido-view/app.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/standard_streams.h"
@@ -20,6 +22,11 @@ int run(const std::vector<std::string>& words) {
     const std::string text = arguments.help ? view::view_help() : "barrido-view " BARRIDO_VERSION "\n";
     cli::write_standard_output(cli::bytes_of(text));
     return cli::kExitFine;
+  }
+  // A window that has nothing to show is no answer to a slip of the pen.
+  for (const std::string& file : arguments.files) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) throw scene::InputError(file, "", "no such file");
   }
   return window::App(arguments).run();
 }

@@ -2,6 +2,12 @@
 // for.
 #include <unistd.h>
 
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "pipeline/files/write_file.h"
@@ -25,6 +31,9 @@ using compare::ComparedPair;
 using compare::Outcome;
 using compare::Result;
 
+/// Each holds the pixels of two pictures.
+constexpr std::size_t kMostPairsAtATime = 16;
+
 class DiffCall {
  public:
   DiffCall(const DiffOptions& options, Console& console) : options_(options), console_(console) {}
@@ -38,12 +47,11 @@ class DiffCall {
       throw UsageError("--output: only for two pictures; of folders, --html shows the differences");
     }
     if (!options_.html.empty()) html_.emplace(options_.html);
+    if (!options_.output.empty()) check_output();
     run_ = {options_.expected, options_.actual, options_.settings, {}};
-    for (const compare::Pair& pair : pairs) {
-      console_.set_progress("comparing " + pair.name + " (" + std::to_string(run_.results.size() + 1) +
-                            " of " + std::to_string(pairs.size()) + ")");
-      add(compare::compare_pair(pair, options_.settings));
-    }
+    run_.settings.pixels = html_.has_value() || !options_.output.empty();
+    run_.settings.facts = !options_.json.empty();
+    compare_all(pairs);
     console_.end_progress();
     if (folders_) print(compare::totals_text(compare::totals_of(run_)) + "\n");
     write_reports();
@@ -51,6 +59,41 @@ class DiffCall {
   }
 
  private:
+  /// An input must not be lost to the picture of a difference.
+  void check_output() const {
+    for (const std::string& input : {options_.expected, options_.actual}) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(options_.output, input, ignored)) {
+        throw UsageError("--output: '" + options_.output + "' is one of the two pictures");
+      }
+    }
+  }
+
+  /// As many pairs at a time as there are threads; they are told in their order.
+  void compare_all(const std::vector<compare::Pair>& pairs) {
+    using tbb::filter_mode;
+    using Compared = std::shared_ptr<ComparedPair>;
+    std::size_t next = 0;
+    const auto take = [&](tbb::flow_control& control) -> std::size_t {
+      if (next == pairs.size()) control.stop();
+      return next++;
+    };
+    const auto compare = [&](std::size_t index) {
+      return std::make_shared<ComparedPair>(compare::compare_pair(pairs[index], run_.settings));
+    };
+    const auto tell = [&](const Compared& compared) {
+      add(*compared);
+      console_.set_progress("compared " + compared->result.pair.name + " (" +
+                            std::to_string(run_.results.size()) + " of " + std::to_string(pairs.size()) +
+                            ")");
+    };
+    const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    tbb::parallel_pipeline(std::min<std::size_t>(threads, kMostPairsAtATime),
+                           tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, take) &
+                               tbb::make_filter<std::size_t, Compared>(filter_mode::parallel, compare) &
+                               tbb::make_filter<Compared, void>(filter_mode::serial_in_order, tell));
+  }
+
   void add(const ComparedPair& compared) {
     const Result& result = compared.result;
     if (result.outcome == Outcome::error) {
@@ -68,7 +111,7 @@ class DiffCall {
   /// As idiff, whose users look for these words.
   void print_pair(const Result& result) {
     std::string text = "Comparing \"" + options_.expected + "\" and \"" + options_.actual + "\"\n";
-    const bool equal = result.figures && result.figures->max == 0.0;
+    const bool equal = result.figures ? result.figures->max == 0.0 : result.outcome == Outcome::same;
     if (!equal || !result.note.empty()) text += compare::figures_text(result, options_.settings.thresholds);
     const bool same = result.outcome == Outcome::same;
     text += same ? "PASS\n" : result.outcome == Outcome::warning ? "WARNING\n" : "FAILURE\n";

@@ -32,6 +32,7 @@ int run(const std::vector<std::string>& words) {
   if (command == "info") return run_info(rest);
   if (command == "diff") return run_diff(rest);
   if (command == "--version" || command == "-V") return print(version_text());
+  if (command == "help" && !rest.empty()) return run({rest[0], "--help"});
   if (command == "--help" || command == "-h" || command == "help") return print(general_help());
   constexpr std::array<std::string_view, 6> kCommands{"render", "inspect", "info",
                                                       "diff",   "--help",  "--version"};

@@ -8,6 +8,7 @@
 #include "pipeline/scene/animate.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/scene_nodes.h"
+#include "pipeline/scene/triangles.h"
 
 namespace barrido::cli {
 namespace {
@@ -63,9 +64,12 @@ class BoxBuilder {
   std::optional<Box> box_;
 };
 
-void add_points(BoxBuilder& box, std::span<const float> positions, const glm::mat4& world_from_points) {
+void add_points(BoxBuilder& box, std::span<const float> positions, const std::vector<bool>& drawn,
+                const glm::mat4& world_from_points, const glm::dvec3& origin) {
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
-    box.add(glm::vec3(world_from_points * glm::vec4(positions[i], positions[i + 1], positions[i + 2], 1.0f)));
+    if (!drawn.empty() && !drawn[i / 3]) continue;
+    const glm::vec3 p(world_from_points * glm::vec4(positions[i], positions[i + 1], positions[i + 2], 1.0f));
+    box.add(origin == glm::dvec3(0.0) ? p : glm::vec3(glm::dvec3(p) + origin));
   }
 }
 
@@ -75,12 +79,15 @@ void add_node(BoxBuilder& box, const scene::Scene& scene, const scene::Pose& pos
   const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.nodes[index].mesh)];
   for (const scene::Primitive& primitive : mesh.primitives) {
     const glm::mat4& world_from_node = pose.world_from_node[index];
+    const std::vector<bool> drawn =
+        scene::drawn_vertices(primitive.mode, primitive.indices.values(), primitive.vertex_count);
     if (!scene::is_deformed(scene, node, primitive)) {
-      add_points(box, primitive.positions.values(), world_from_node);
+      add_points(box, primitive.positions.values(), drawn, world_from_node, pose.origin);
       continue;
     }
     const scene::DeformedVertices deformed = scene::deform(scene, pose, node, primitive);
-    add_points(box, deformed.positions, deformed.in_world_space ? glm::mat4(1.0f) : world_from_node);
+    add_points(box, deformed.positions, drawn, deformed.in_world_space ? glm::mat4(1.0f) : world_from_node,
+               pose.origin);
   }
 }
 

@@ -16,7 +16,11 @@ namespace barrido::compare {
 
 struct Settings {
   Thresholds thresholds;
-  bool flip = true;                                   ///< Compute FLIP.
+  bool flip = true;  ///< Compute FLIP.
+  /// Also of files with the same bytes. Without it they are the same, and only their beginnings are looked
+  /// at.
+  bool facts = true;
+  bool pixels = true;                                 ///< Likewise: a ComparedPair holds the pixels.
   std::uint64_t max_memory = std::uint64_t{4} << 30;  ///< Bytes that the two pictures may take.
 };
 

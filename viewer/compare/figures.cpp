@@ -17,7 +17,7 @@ struct Row {
   double sum = 0.0, sum_of_squares = 0.0, max = 0.0;
   float peak = 1.0f;
   WorstPixel worst;
-  std::uint64_t over_fail = 0, over_warn = 0, over_zero = 0;
+  std::uint64_t over_fail = 0, over_warn = 0, over_zero = 0, incomparable = 0;
 };
 
 bool has_color(const StoredPicture& picture) { return picture.channels >= 3; }
@@ -61,7 +61,10 @@ void add_pixel(Row& row, const float* expected, const float* actual, std::span<c
       std::copy_n(expected, 4, row.worst.expected.begin());
       std::copy_n(actual, 4, row.worst.actual.begin());
     }
-    if (!std::isfinite(d)) continue;  // One such value would make the means useless.
+    if (!std::isfinite(d)) {
+      ++row.incomparable;
+      continue;
+    }
     row.sum += d;
     row.sum_of_squares += d * d;
     if (std::isfinite(expected[c])) row.peak = std::max({row.peak, expected[c], actual[c]});
@@ -98,6 +101,7 @@ Figures measure(const StoredPicture& expected, const StoredPicture& actual, cons
     figures.over_fail += row.over_fail;
     figures.over_warn += row.over_warn;
     figures.over_zero += row.over_zero;
+    figures.incomparable += row.incomparable;
     if (row.max > figures.max) {
       figures.max = row.max;
       figures.worst = row.worst;
@@ -106,6 +110,8 @@ Figures measure(const StoredPicture& expected, const StoredPicture& actual, cons
   const double values = static_cast<double>(figures.pixels) * static_cast<double>(channels.size());
   figures.mean = sum / values;
   figures.rms = std::sqrt(sum_of_squares / values);
+  // Of the values that are left a mean would look as if all were well.
+  if (figures.incomparable > 0) figures.mean = figures.rms = std::numeric_limits<double>::quiet_NaN();
   return figures;
 }
 

@@ -35,16 +35,18 @@ struct WorstPixel {
 
 struct Figures {
   int channels = 0;   ///< That were compared: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
-  double mean = 0.0;  ///< Of the absolute differences of all values.
-  double rms = 0.0;   ///< Root of their mean square.
+  double mean = 0.0;  ///< Of the absolute differences of all values; NaN where some have none.
+  double rms = 0.0;   ///< Root of their mean square; NaN likewise.
   double peak = 1.0;  ///< The greatest value of both pictures, at least 1.
   double max = 0.0;   ///< Infinite where a NaN or an infinity meets something else.
   WorstPixel worst;   ///< The first of several, row by row; its place means nothing while max is 0.
   std::uint64_t pixels = 0;
   std::uint64_t over_fail = 0, over_warn = 0;  ///< Pixels with a difference over the threshold,
   std::uint64_t over_zero = 0;                 ///< and with any.
+  std::uint64_t incomparable = 0;  ///< Values, not pixels, where a NaN or an infinity meets something else.
 
-  /// Peak signal-to-noise ratio in decibels, 20·log10(peak/rms); infinite for equal pictures.
+  /// Peak signal-to-noise ratio in decibels, 20·log10(peak/rms); infinite for equal pictures, NaN where the
+  /// others are.
   double psnr() const;
 };
 

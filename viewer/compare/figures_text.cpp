@@ -21,9 +21,9 @@ std::string max_text(const Figures& figures) {
          values_text(worst.actual, figures.channels) + "\n";
 }
 
-std::string over_text(std::uint64_t count, std::uint64_t pixels, double threshold) {
+std::string over_text(std::uint64_t count, std::uint64_t pixels, double threshold, const char* of) {
   return "  " + std::to_string(count) + " pixels (" + short_figure(percent(count, pixels)) + "%) over " +
-         figure(threshold) + "\n";
+         figure(threshold) + of + "\n";
 }
 
 }  // namespace
@@ -55,8 +55,17 @@ std::string figures_text(const Result& result, const Thresholds& thresholds) {
   text += "  RMS error  = " + figure(figures.rms) + "\n";
   text += "  Peak SNR   = " + figure(figures.psnr()) + "\n";
   text += max_text(figures);
-  text += over_text(figures.over_warn, figures.pixels, thresholds.warn);
-  text += over_text(figures.over_fail, figures.pixels, thresholds.fail);
+  if (figures.incomparable > 0) {
+    text += "  " + std::to_string(figures.incomparable) + (figures.incomparable == 1 ? " value" : " values") +
+            " where a NaN or an infinity meets something else: no mean\n";
+  }
+  // As long as both thresholds are the same one line says it.
+  if (thresholds.warn != thresholds.fail) {
+    text += over_text(figures.over_warn, figures.pixels, thresholds.warn, " (warn)");
+    text += over_text(figures.over_fail, figures.pixels, thresholds.fail, " (fail)");
+  } else {
+    text += over_text(figures.over_fail, figures.pixels, thresholds.fail, "");
+  }
   if (!result.flip) return text;
   return text + "  FLIP mean  = " + figure(result.flip->mean) + ", weighted median " +
          figure(result.flip->weighted_median) + ", max " + figure(result.flip->max) + "\n";

@@ -97,6 +97,23 @@ double weighted_median(const std::vector<float>& errors, double sum) {
   return 0.0;
 }
 
+/// What is no number cannot be looked at: beside something else it is as wrong as can be.
+void add_missing_numbers(FlipMap& map, const StoredPicture& expected, const StoredPicture& actual) {
+  const auto is_wrong = [](float a, float b) {
+    if (std::isfinite(a) && std::isfinite(b)) return false;
+    return !(a == b) && !(std::isnan(a) && std::isnan(b));
+  };
+  tbb::parallel_for(0, map.height, [&](int y) {
+    const float *a = row_of(expected, y), *b = row_of(actual, y);
+    float* errors = map.errors.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+    for (int x = 0; x < map.width; ++x, a += 4, b += 4) {
+      for (int c = 0; c < 4; ++c) {
+        if (is_wrong(a[c], b[c])) errors[x] = 1.0f;
+      }
+    }
+  });
+}
+
 void add_figures(FlipMap& map) {
   double sum = 0.0;
   for (const float error : map.errors) sum += static_cast<double>(error);
@@ -129,6 +146,7 @@ FlipMap flip(const StoredPicture& expected, const StoredPicture& actual) {
   } else {
     add_errors(map, fractions_of(expected, map.width), fractions_of(actual, map.width));
   }
+  add_missing_numbers(map, expected, actual);
   add_figures(map);
   return map;
 }

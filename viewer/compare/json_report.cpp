@@ -32,6 +32,7 @@ Json figures_json(const Figures& figures) {
             {"rms", number(figures.rms)},
             {"psnr_db", number(figures.psnr())},
             {"max", number(figures.max)},
+            {"incomparable_values", figures.incomparable},
             {"pixels", figures.pixels},
             {"pixels_over_fail", figures.over_fail},
             {"pixels_over_warn", figures.over_warn}};

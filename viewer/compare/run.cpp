@@ -14,6 +14,7 @@ constexpr Outcome kWorstFirst[] = {Outcome::error, Outcome::different, Outcome::
 double badness(const Result& result) {
   const auto &a = result.expected, &b = result.actual;
   if (a && b && (a->width != b->width || a->height != b->height)) return kUnlimited;
+  if (result.figures && result.figures->incomparable > 0) return kUnlimited;
   if (result.flip) return result.flip->mean;
   return result.figures ? result.figures->rms : 0.0;
 }

@@ -37,7 +37,7 @@ Json figures_list(const Result& result) {
   const Figures& figures = *result.figures;
   list.push_back({"mean error", figure(figures.mean)});
   list.push_back({"RMS error", figure(figures.rms)});
-  list.push_back({"PSNR", std::isfinite(figures.psnr()) ? figure(figures.psnr()) + " dB" : "∞"});
+  list.push_back({"PSNR", std::isinf(figures.psnr()) ? "∞" : figure(figures.psnr()) + " dB"});
   list.push_back({"max error", figure(figures.max)});
   list.push_back({"pixels over warn", std::to_string(figures.over_warn)});
   list.push_back({"pixels over fail", std::to_string(figures.over_fail)});

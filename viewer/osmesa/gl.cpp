@@ -12,7 +12,8 @@ void* open_library() {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"}) {
     if (void* const library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
   }
-  throw std::runtime_error(std::string("OSMesa cannot be loaded: ") + ::dlerror());
+  throw std::runtime_error(std::string("OSMesa cannot be loaded (Debian: install libosmesa6): ") +
+                           ::dlerror());
 }
 
 template <class Function>

@@ -14,6 +14,8 @@ FramePicture FrameDrawer::draw(const pipeline::AssembledFrame&, const raster::Fr
   throw std::runtime_error(why_missing());
 }
 
-std::string why_missing() { return "this program was built without OSMesa"; }
+std::string why_missing() {
+  return "this program was built without OSMesa: install libosmesa6-dev (its name in Debian) and build again";
+}
 
 }  // namespace barrido::osmesa

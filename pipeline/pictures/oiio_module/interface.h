@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 /* Raised whenever anything below changes its meaning. */
-#define BARRIDO_OIIO_INTERFACE_VERSION 1
+#define BARRIDO_OIIO_INTERFACE_VERSION 2
 #define BARRIDO_OIIO_ENTRY "barrido_oiio_functions"
 
 /* Where a failing function leaves its reason: one line, cut to fit, ending in zero. */
@@ -25,6 +25,7 @@ typedef struct BarridoOiioHeader {
   int32_t channels;         /* that are read: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA */
   int32_t is_float;         /* the file holds floats (linear light), not integers */
   int32_t associated_alpha; /* colours are multiplied by alpha */
+  int32_t orientation;      /* 1..8 as TIFF 6.0 counts: 1 as stored, 4 bottom row first, 6 a quarter turn ... */
   int32_t row_step;         /* rows are read in multiples of this: 1, or the height of a tile */
 } BarridoOiioHeader;
 

@@ -66,6 +66,8 @@ BarridoOiioHeader header_of(const OIIO::ImageSpec& spec) {
   header.channels = spec.nchannels >= 3 ? (has_alpha ? 4 : 3) : (has_alpha ? 2 : 1);
   header.is_float = spec.format.is_floating_point() ? 1 : 0;
   header.associated_alpha = has_alpha && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0 ? 1 : 0;
+  const int orientation = spec.get_int_attribute("Orientation", 1);
+  header.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
   header.row_step = spec.tile_width > 0 ? std::max(spec.tile_height, 1) : 1;
   return header;
 }

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/scene/blended_order.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/material_conversion.h"
 #include "pipeline/scene/metering.h"
-#include "pipeline/scene/sorting.h"
 #include "tests/unit/scene/scene_fixture.h"
 
 namespace barrido::scene {
@@ -172,14 +172,68 @@ TEST(Metering, BringsPhysicalLightsIntoRangeAndLeavesGoodOnesAlone) {
   EXPECT_FLOAT_EQ(scale_for(0.0f), 1.0f);
 }
 
-TEST(Sorting, FarthestFirstAndEqualsInOrder) {
-  EXPECT_EQ(farthest_first(std::vector<float>{1, 3, 2, 3}), (std::vector<std::uint32_t>{1, 3, 2, 0}));
-  const std::vector<float> positions{0, 0, -1, 1, 0, -1, 0, 1, -1, 0, 0, -5, 1, 0, -5, 0, 1, -5};
+/// Triangles at these depths, in one array.
+std::vector<float> triangles_at(std::initializer_list<float> depths) {
+  std::vector<float> positions;
+  for (const float z : depths) positions.insert(positions.end(), {0, 0, -z, 1, 0, -z, 0, 1, -z});
+  return positions;
+}
+
+pipeline::Geometry geometry_of(const std::vector<float>& positions) {
   pipeline::Geometry geometry;
-  geometry.vertex_count = 6;
+  geometry.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
   geometry.position = {positions.data(), 3, 3};
-  EXPECT_EQ(triangles_back_to_front(geometry, {glm::mat4(1), false}),
-            (std::vector<std::uint32_t>{3, 4, 5, 0, 1, 2}));
+  return geometry;
+}
+
+TEST(BlendedOrder, TrianglesOfAllDrawsFarthestFirstAndEqualsInOrder) {
+  const std::vector<float> a = triangles_at({1, 5, 3}), b = triangles_at({4, 3, 2});
+  const pipeline::Geometry of_a = geometry_of(a), of_b = geometry_of(b);
+  const EyeDistance along_z(glm::mat4(1), true);
+  const BlendedDraw draws[] = {{&of_a, along_z, {}}, {&of_b, along_z, {}}};
+  const BlendedOrder order = order_blended(draws);
+  using Indices = std::vector<std::uint32_t>;
+  const std::pair<std::size_t, Indices> expected[] = {
+      {0, {3, 4, 5}}, {1, {0, 1, 2}}, {0, {6, 7, 8}}, {1, {3, 4, 5, 6, 7, 8}}, {0, {0, 1, 2}}};
+  ASSERT_EQ(order.pieces.size(), std::size(expected));
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_EQ(order.pieces[i].draw, expected[i].first) << i;
+    EXPECT_EQ(order.pieces[i].indices, expected[i].second) << i;
+  }
+  EXPECT_EQ(order.slices, 0);
+}
+
+TEST(BlendedOrder, PointsStayTogetherAtTheirMiddle) {
+  const std::vector<float> a = triangles_at({1, 5}), b = triangles_at({3});
+  const pipeline::Geometry of_a = geometry_of(a);
+  pipeline::Geometry of_b = geometry_of(b);
+  of_b.mode = pipeline::PrimitiveMode::points;
+  const EyeDistance along_z(glm::mat4(1), true);
+  const BlendedDraw draws[] = {{&of_a, along_z, {}}, {&of_b, along_z, {0, 0, -3}}};
+  const BlendedOrder order = order_blended(draws);
+  ASSERT_EQ(order.pieces.size(), 3u);
+  EXPECT_EQ(order.pieces[1].draw, 1u);
+  EXPECT_TRUE(order.pieces[1].indices.empty());
+}
+
+TEST(BlendedOrder, TooManyPiecesBecomeSlices) {
+  std::vector<float> a, b;
+  for (int i = 0; i < 40'000; ++i) {
+    for (auto* positions : {&a, &b}) {
+      const auto z = -static_cast<float>(2 * i + (positions == &b ? 1 : 0));
+      positions->insert(positions->end(), {0, 0, z, 1, 0, z, 0, 1, z});
+    }
+  }
+  const pipeline::Geometry of_a = geometry_of(a), of_b = geometry_of(b);
+  const EyeDistance along_z(glm::mat4(1), true);
+  const BlendedDraw draws[] = {{&of_a, along_z, {}}, {&of_b, along_z, {}}};
+  const BlendedOrder order = order_blended(draws);
+  EXPECT_EQ(order.slices, 1024);
+  EXPECT_EQ(order.pieces.size(), 2048u);
+  std::size_t indices = 0;
+  for (const BlendedPiece& piece : order.pieces) indices += piece.indices.size();
+  EXPECT_EQ(indices, 240'000u);
+  EXPECT_GT(order.pieces[0].indices[0], 100'000u) << "the farthest slice comes first";
 }
 
 }  // namespace

@@ -178,7 +178,23 @@ TEST(Accessor, MatrixColumnsArePaddedToFourBytes) {
   Model model = triangle();
   const int view = model.add_view(std::vector<std::uint8_t>(11));
   model.add_accessor(view, kU8, "MAT3", 1);  // 3 columns of 3 bytes, each padded to 4.
-  EXPECT_CONTAINS(import_error(model), "accessors[2]: byteOffset 0 + 12 bytes reaches past");
+  const Scene scene = model.import();
+  ASSERT_EQ(scene.warnings.size(), 1u) << "nothing uses it";
+  EXPECT_CONTAINS(scene.warnings[0], "accessors[2]: byteOffset 0 + 12 bytes reaches past");
+}
+
+TEST(Accessor, WhatIsBrokenAndNotDrawnIsAWarning) {
+  Model model = triangle();
+  const int broken = model.add_accessor(model.add_view(std::vector<float>(8)), kF32, "VEC3", 3);
+  model.append("meshes", {{"primitives", {{{"attributes", {{"POSITION", broken}}}}}}});
+  const Scene scene = model.import();
+  ASSERT_EQ(scene.warnings.size(), 2u);
+  EXPECT_CONTAINS(scene.warnings[0], "accessors[2]: byteOffset 0 + 36");
+  EXPECT_CONTAINS(scene.warnings[0], "nothing draws this mesh");
+  EXPECT_EQ(scene.meshes.size(), 2u);
+  EXPECT_TRUE(scene.meshes[1].primitives.empty());
+  model.append("nodes", {{"mesh", 1}});
+  EXPECT_CONTAINS(import_error(model), "accessors[2]: byteOffset 0 + 36");
 }
 
 TEST(Accessor, NumbersThatAreNotFiniteBecomeZeroWithOneWarning) {

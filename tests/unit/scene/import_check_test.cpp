@@ -59,7 +59,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadChange{"/accessors/0/count", "2.5", "accessors[0].count: must be a whole number"},
         BadChange{"/accessors/0/count", "\"3\"", "accessors[0].count: must be a whole number"},
         BadChange{"/accessors/0/type", "\"VEC5\"", "accessors[0].type: is \"VEC5\"; known are SCALAR, VEC2"},
-        BadChange{"/nodes/0/name", "[]", "nodes[0].name: must be a string"},
         BadChange{"/extensionsUsed", "[1]", "extensionsUsed[0]: must be a string"},
         BadChange{"/nodes/2/rotation/1", "null", "nodes[2].rotation[1]: must be a number"},
         BadChange{"/meshes/0/primitives/0/attributes", "[]", "attributes: must be an object"}));
@@ -118,6 +117,37 @@ INSTANTIATE_TEST_SUITE_P(
         BadChange{"/animations/0/channels/0/target/node", "3", "target.node: refers to nodes[3]"},
         BadChange{"/animations/0/samplers/0/input", "99", "samplers[0].input: refers to accessors[99]"},
         BadChange{"/animations/0/channels/0/sampler", "1", "channels: refers to samplers[1]"}));
+
+TEST(DocumentCheck, SmallSinsAreWarnings) {
+  struct Sin {
+    const char *pointer, *value, *warning;
+  };
+  const Sin sins[] = {
+      {"/nodes/0/name", "[]", "nodes[0].name: must be a string; it is ignored"},
+      {"/asset/generator", "7", "asset.generator: must be a string; it is ignored"},
+      {"/animations/0/samplers/0/interpolation", "0",
+       "animations[0].samplers[0].interpolation: must be LINEAR, STEP or CUBICSPLINE; it is ignored"},
+      {"/materials/0/doubleSided", "\"yes\"",
+       "materials[0].doubleSided: must be true or false; it is ignored"},
+      {"/materials/0/alphaCutoff", "null", "materials[0].alphaCutoff: must be a number; it is ignored"}};
+  for (const Sin& sin : sins) {
+    Model model = complete_model();
+    const std::size_t before = model.import().warnings.size();
+    model.document[json::json_pointer(sin.pointer)] = json::parse(sin.value);
+    const std::vector<std::string> warnings = model.import().warnings;
+    ASSERT_EQ(warnings.size(), before + 1) << sin.pointer;
+    EXPECT_EQ(std::count(warnings.begin(), warnings.end(), sin.warning), 1) << warnings[0];
+  }
+}
+
+TEST(DocumentCheck, AnotherVersionIsToldFirst) {
+  Model model;
+  model.document["asset"]["version"] = "1.0";
+  model.document["meshes"] = json::object();
+  EXPECT_CONTAINS(import_error(model), "asset.version: glTF 1.0 is not supported; only 2.x is");
+  model.document.erase("asset");
+  EXPECT_CONTAINS(import_error(model), "looks like glTF 1.0");
+}
 
 TEST(DocumentCheck, CompleteModelIsFine) { EXPECT_NO_THROW(complete_model().import()); }
 

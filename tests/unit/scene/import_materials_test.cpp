@@ -171,31 +171,57 @@ TEST(ImportImages, OnlyThoseThatAreUsedAreRead) {
   EXPECT_EQ(scene.images[1].width, 0);
 
   model.document["materials"][0]["normalTexture"] = {{"index", 1}};
-  EXPECT_CONTAINS(import_error(model), "model.gltf: images[1] (missing.png): no such file");
+  // Nothing is drawn with a normal texture.
+  EXPECT_EQ(model.import().warnings, std::vector<std::string>{"of materials, ignored: normal texture"});
+  model.document["materials"][0].erase("normalTexture");
+  model.document["materials"][0]["emissiveTexture"] = {{"index", 1}};
+  EXPECT_EQ(model.import().warnings,
+            std::vector<std::string>{"images[1] (missing.png): no such file; drawn without this picture"});
   ImportOptions options;
-  options.image_roles = kAllImages & ~kNormalImage;
-  EXPECT_NO_THROW(model.import(options));
+  options.image_roles = kAllImages & ~kEmissiveImage;
+  EXPECT_TRUE(model.import(options).warnings.empty());
   options.load_images = false;
   EXPECT_EQ(model.import(options).images[0].width, 0);
 }
 
-TEST(ImportImages, BrokenOnesAreErrorsAndTheFirstIsReported) {
-  EXPECT_CONTAINS(import_error(textured({{"uri", "data:image/png;base64,AAAA"}})), "model.gltf: images[0]: ");
-  EXPECT_CONTAINS(import_error(textured(json::object())), "images[0]: has neither a uri nor a bufferView");
-  EXPECT_CONTAINS(import_error(textured({{"uri", "../a.png"}})), "images[0] (../a.png): the path leaves");
+TEST(ImportImages, BrokenOnesAreWarningsInTheirOrder) {
+  const auto warning = [](const json& image) {
+    const Scene scene = textured(image).import();
+    EXPECT_EQ(scene.images[0].width, 0);
+    return scene.warnings.size() == 1 ? scene.warnings[0] : std::string();
+  };
+  EXPECT_CONTAINS(warning({{"uri", "data:image/png;base64,AAAA"}}), "images[0]: neither PNG nor JPEG");
+  EXPECT_CONTAINS(warning(json::object()), "images[0]: has neither a uri nor a bufferView");
+  EXPECT_CONTAINS(warning({{"uri", "../a.png"}}), "images[0] (../a.png): the path leaves");
   Model model = textured({{"uri", kPng}});
   for (int i = 1; i < 20; ++i) {
     model.append("images", {{"uri", "data:image/png;base64,AAAA"}});
     model.append("textures", {{"source", 20 - i}});
     model.append("materials", {{"emissiveTexture", {{"index", i}}}});
   }
-  EXPECT_CONTAINS(import_error(model), "model.gltf: images[1]: ");
+  const Scene scene = model.import();
+  ASSERT_EQ(scene.warnings.size(), 19u);
+  EXPECT_CONTAINS(scene.warnings[0], "images[1]: ");
+  EXPECT_CONTAINS(scene.warnings[18], "images[19]: ");
+  EXPECT_EQ(scene.images[0].width, 4);
 }
 
 TEST(ImportImages, LargerThanTheLimit) {
   ImportOptions options;
   options.max_image_pixels = 15;
-  EXPECT_CONTAINS(input_error([&] { textured({{"uri", kPng}}).import(options); }), "images[0]");
+  const Scene scene = textured({{"uri", kPng}}).import(options);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_CONTAINS(scene.warnings[0], "a picture may have at most 15");
+}
+
+TEST(ImportImages, MemoryIsAnError) {
+  ImportOptions options;
+  options.budget = std::make_shared<Budget>(BudgetLimits{std::uint64_t{100'000}, std::nullopt});
+  options.budget->take(99'900, "", "");
+  EXPECT_CONTAINS(input_error([&] {
+                    textured({{"uri", kPng}}).import(options);
+                  }),
+                  "--max-memory allows more");
 }
 
 }  // namespace
