@@ -93,11 +93,13 @@ def compare_frame(call: Call, frame: Frame, theirs: dict, differences: Differenc
     differences.near("eye's turn", matrix_of(theirs["eye_from_world"])[:3, :3], frame.eye_from_world[:3, :3])
     differences.near("eye's place", matrix_of(theirs["eye_from_world"])[:3, 3], frame.eye_from_world[:3, 3], BOUND * size)
     compare_projection(frame, matrix_of(theirs["clip_from_eye"]), differences)
-    differences.near("background", theirs["clear_color"], frame.background, 1e-4)
+    differences.near("background", theirs["clear_color"], clear_color(frame, theirs), 1e-4)
     differences.near("exposure", theirs["exposure_scale"], 2.0**call.exposure if call.surfaces.float_frame else 1)
     differences.expect(theirs["tone_map"] == int(call.reinhard), "tone map")
     compare_lights(frame, theirs, size, differences)
-    draws = [draw for draw in theirs["draws"] if not draw["backdrop"]]
+    pieces = [draw for draw in theirs["draws"] if not draw["backdrop"]]
+    compare_blended(frame, [piece for piece in pieces if piece["blend"]], size, differences)
+    draws = whole_draws(pieces)
     order = [(draw["node"], draw["primitive"]) for draw in draws]
     expected = [(draw.node, draw.primitive) for draw in frame.draws]
     differences.expect(same_order(frame, order, expected), f"order of draws: {order}, not {expected}")
@@ -110,6 +112,45 @@ def compare_frame(call: Call, frame: Frame, theirs: dict, differences: Differenc
         compare_draw(call, frame, draw, other, size, differences)
 
 
+def clear_color(frame: Frame, theirs: dict) -> np.ndarray:
+    """Multiplied by its alpha where something is blended with it or cut out before it."""
+    mixed = any(draw.material_source.get("alphaMode", "OPAQUE") != "OPAQUE" for draw in frame.draws)
+    if not mixed or any(draw["backdrop"] for draw in theirs["draws"]):
+        return frame.background
+    return np.append(frame.background[:3] * frame.background[3], frame.background[3])
+
+
+def whole_draws(pieces: list[dict]) -> list[dict]:
+    """Blended draws are cut into pieces where others lie between their triangles."""
+    whole: dict[tuple, dict] = {}
+    for piece in pieces:
+        place = (piece["node"], piece["primitive"])
+        if place in whole:
+            whole[place]["indices"] = whole[place]["indices"] + piece["indices"]
+        else:
+            whole[place] = dict(piece)
+    return list(whole.values())
+
+
+def compare_blended(frame: Frame, pieces: list[dict], size: float, differences: Differences) -> None:
+    """The triangles of all pieces, one after the other, come nearer and nearer; points and lines stay together."""
+    parallel = frame.eye.half_height is not None
+    last = np.inf
+    for piece in pieces:
+        matrix = matrix_of(piece["eye_from_object"])
+        points = rows(piece["position"], 3)
+        points = points @ matrix[:3, :3].T + matrix[:3, 3]
+        if piece["mode"] in (TRIANGLES, STRIP, FAN) and piece["indices"]:
+            middles = points[piece["indices"]].reshape(-1, 3, 3).mean(axis=1)
+        else:
+            continue
+        far = -middles[:, 2] if parallel else np.linalg.norm(middles, axis=1)
+        allowed = 20 * BOUND * max(size, float(np.abs(points).max()))
+        falls = np.diff(np.concatenate([[min(last, 1e30)], far])) <= allowed
+        differences.expect(bool(falls.all()), "blended triangles are not in their order")
+        last = far[-1]
+
+
 def compare_projection(frame: Frame, theirs: np.ndarray, differences: Differences) -> None:
     ours = frame.clip_from_eye
     differences.near("projection's nought", theirs[ours == 0], ours[ours == 0], 0)
@@ -117,21 +158,13 @@ def compare_projection(frame: Frame, theirs: np.ndarray, differences: Difference
 
 
 def same_order(frame: Frame, order: list, expected: list) -> bool:
-    """Neighbours at nearly the same distance may be exchanged."""
+    """Of the opaque draws; the blended ones come in any order, as their triangles say."""
     if order == expected:
         return True
     if sorted(order) != sorted(expected):
         return False
-    draws = {(draw.node, draw.primitive): draw for draw in frame.draws}
-    parallel = frame.eye.half_height is not None
-
-    def distance(place: tuple) -> float:
-        positions = draws[place].vertices.positions
-        middle = (positions.min(axis=0) + positions.max(axis=0))[None] / 2
-        return distances(frame.eye_from_world, draws[place], middle, parallel)[0]
-
-    moved = [(a, b) for a, b in zip(order, expected, strict=True) if a != b]
-    return all(abs(distance(a) - distance(b)) < 1e-4 for a, b in moved)
+    opaque = [(draw.node, draw.primitive) for draw in frame.draws if draw.material_source.get("alphaMode") != "BLEND"]
+    return order[:len(opaque)] == opaque
 
 
 def compare_draw(call: Call, frame: Frame, draw: Draw, theirs: dict, size: float, differences: Differences) -> None:

@@ -12,6 +12,7 @@ from pose import Pose, Vertices
 from surface import Materials, Surface, SurfaceChoice, linear
 from view import Bounds, Choice, Eye, bounds_of, choose_eye, clip_from_eye, eye_from_world, world_points
 
+LINES, LINE_LOOP, LINE_STRIP = 1, 2, 3
 TRIANGLES, STRIP, FAN = 4, 5, 6
 
 
@@ -143,6 +144,16 @@ class Frames:
         normals = primitive["attributes"].get("NORMAL")
         return Vertices(pose.world[node], positions, None if normals is None else self._glb.values[normals], np.ones(0))
 
+    def _corners(self, primitive: dict, count: int) -> list[int]:
+        indices = self._glb.values[primitive["indices"]][:, 0].astype(int).tolist() if "indices" in primitive else list(range(count))
+        return corners_of(primitive.get("mode", TRIANGLES), indices)
+
+    def _drawn(self, vertices: Vertices, primitive: dict) -> Vertices:
+        """Those that belong to a point, a line or a triangle."""
+        used = sorted(set(self._corners(primitive, len(vertices.positions))))
+        normals = None if vertices.normals is None else vertices.normals[used]
+        return dataclasses.replace(vertices, positions=vertices.positions[used], normals=normals)
+
     def _find_bounds(self) -> Bounds:
         """Around the scene as it stands, or at nine moments of its animation."""
         poses = [Pose(self._glb)]
@@ -150,7 +161,8 @@ class Frames:
             animation = self._tree["animations"][self._animation]
             duration = max(self._glb.values[sampler["input"]].max() for sampler in animation["samplers"])
             poses = [Pose(self._glb, self._animation, duration * i / 8) for i in range(9)]
-        parts = [pose.vertices(node, primitive) for pose in poses for node, _, _, primitive in self._primitives()]
+        parts = [self._drawn(pose.vertices(node, primitive), primitive)
+                 for pose in poses for node, _, _, primitive in self._primitives()]
         return bounds_of(world_points(parts), self._call.view.up)
 
     def _moments(self) -> list[tuple[int, float, float]]:
@@ -215,33 +227,35 @@ class Frames:
         for node, mesh, i, primitive in self._primitives():
             vertices = pose.vertices(node, primitive)
             mode, material = primitive.get("mode", TRIANGLES), primitive.get("material")
-            indices = list(range(len(vertices.positions)))
-            if "indices" in primitive:
-                indices = self._glb.values[primitive["indices"]][:, 0].astype(int).tolist()
             is_surface = mode in (TRIANGLES, STRIP, FAN)
             has_normals = vertices.normals is not None or is_surface
             surface = self._materials.surface(material, has_normals, "COLOR_0" in primitive["attributes"])
             source = self._tree["materials"][material] if material is not None else {}
             # A skin's joints carry the vertices, so that the node cannot mirror them.
             mirrored = np.linalg.det(vertices.world_from_object[:3, :3]) < 0
-            draws.append(Draw(node, mesh, i, material, primitive, source, vertices, corners_of(mode, indices), surface, mirrored,
+            draws.append(Draw(node, mesh, i, material, primitive, source, vertices, self._rewound(node, primitive, vertices), surface, mirrored,
                               self._glb.values))
         return draws
 
+    def _rewound(self, node: int, primitive: dict, vertices: Vertices) -> list[int]:
+        """Triangles of a skin whose joints mirror two of their corners are wound the other way."""
+        corners = self._corners(primitive, len(vertices.positions))
+        if vertices.mirrored is None or primitive.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN):
+            return corners
+        for i in range(0, len(corners), 3):
+            if vertices.mirrored[corners[i:i + 3]].sum() >= 2:
+                corners[i], corners[i + 1] = corners[i + 1], corners[i]
+        return corners
+
     def _ordered(self, draws: list[Draw], view: np.ndarray, parallel: bool) -> list[Draw]:
-        """Blended ones last, by the middles of their boxes, farthest first; their triangles likewise by their middles."""
+        """Blended ones last; the triangles of all of them by their middles, farthest first."""
         opaque = [draw for draw in draws if draw.material_source.get("alphaMode") != "BLEND"]
         blended = [draw for draw in draws if draw.material_source.get("alphaMode") == "BLEND"]
         for draw in blended:
             if draw.source.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN):
                 middles = draw.vertices.positions[draw.corners].reshape(-1, 3, 3).mean(axis=1)
                 draw.order = sorted(range(len(middles)), key=lambda i, d=distances(view, draw, middles, parallel): -d[i])
-
-        def middle(draw: Draw) -> float:
-            positions = draw.vertices.positions
-            return -distances(view, draw, (positions.min(axis=0) + positions.max(axis=0))[None] / 2, parallel)[0]
-
-        return opaque + sorted(blended, key=middle)
+        return opaque + blended
 
 
 def distances(view: np.ndarray, draw: Draw, points: np.ndarray, parallel: bool) -> np.ndarray:

@@ -84,6 +84,7 @@ class Vertices:
     normals: np.ndarray | None  # Object space, unit length
     quality: np.ndarray
     skinned: bool = False
+    mirrored: np.ndarray | None = None  # Vertices whose joints turn left into right
 
 
 class Pose:
@@ -157,7 +158,8 @@ class Pose:
                 quality = quality * kept
         if normals is not None:
             normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-        return Vertices(world, positions, normals, quality, skinned)
+        mirrored = np.linalg.det(matrices[:, :3, :3]) < 0 if skinned else None
+        return Vertices(world, positions, normals, quality, skinned, mirrored)
 
     def _skin_matrices(self, skin_index: int, attributes: dict) -> np.ndarray:
         """A matrix a vertex (section 3.7.3.3). Weights are used as if their sum were 1."""
