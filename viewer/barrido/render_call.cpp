@@ -51,6 +51,21 @@ void make_folders(const std::vector<PlannedFrame>& frames) {
   }
 }
 
+/// A picture never takes the place of what it is made from: a model, its textures, the surroundings.
+void refuse_inputs(const std::string& output, const std::vector<std::string>& files,
+                   const std::string& environment, const std::string& path, const scene::Scene& scene) {
+  if (output.empty() || output == "-") return;
+  const auto refuse = [&](const std::filesystem::path& input) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(output, input, ignored)) return;
+    throw UsageError("--output: '" + output + "' would be written over an input");
+  };
+  for (const std::string& file : files) refuse(file);
+  if (!environment.empty()) refuse(environment);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const scene::Image& image : scene.images) refuse(folder / image.name);
+}
+
 }  // namespace
 
 RenderCall::RenderCall(const RenderOptions& options, Console& console)
@@ -96,6 +111,9 @@ bool RenderCall::render_file(const std::string& path) {
     import.budget = limits_.open(path);
     scene = scene::import_gltf(path, import);
     frames = plan(*scene, path);
+    for (const PlannedFrame& frame : frames) {
+      refuse_inputs(frame.output, options_.files, options_.environment_path, path, *scene);
+    }
   } catch (const std::exception& error) {
     const bool memory = is_out_of_memory(error);
     if (options_.sheet && memory) throw scene::InputError(path, "", out_of_memory());
