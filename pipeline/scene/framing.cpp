@@ -183,9 +183,14 @@ Sphere bounding_sphere(const Scenery& scenery) {
   if (box.low.x > box.high.x) return {};
   const RadiusGatherer farthest = gather_points(scenery, RadiusGatherer{box.low * 0.5 + box.high * 0.5});
   Sphere sphere{farthest.center, std::sqrt(farthest.radius_squared)};
-  // Below this the model is a point as far as single precision can tell.
-  const double smallest = std::sqrt(glm::dot(sphere.center, sphere.center)) * 1e-6;
-  if (sphere.radius <= smallest) sphere.radius = smallest > 0.0 ? smallest : 1.0;
+  // What is smaller is a point as far as single precision can tell, about the origin that the poses chose.
+  const glm::dvec3 place = sphere.center - scenery.poses[0].origin;
+  const double distance = std::sqrt(glm::dot(place, place));
+  if (sphere.radius == 0.0) {
+    sphere.radius = std::max(1.0, distance * 1e-3);
+  } else {
+    sphere.radius = std::max(sphere.radius, distance * 1e-6);
+  }
   return sphere;
 }
 

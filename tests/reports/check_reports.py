@@ -67,7 +67,8 @@ def check_places(check: Check) -> None:
     for file in ("single-point/point.glb", "single-point/origin.glb"):
         picture = check.draw(file)
         if picture:
-            check.expect(is_red(picture.middle), f"{file}: the middle is {picture.middle}")
+            middles = [picture[x, y] for x in (49, 50) for y in (49, 50)]
+            check.expect(any(map(is_red, middles)), f"{file}: the middle is {middles}")
             check.expect(picture.count(is_red) == 1, f"{file}: {picture.count(is_red)} red pixels")
 
 
