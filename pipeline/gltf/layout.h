@@ -1,5 +1,5 @@
 // How the elements of an accessor lie in memory (glTF 2.0, section 3.6.2). Plain arithmetic on numbers that
-// the checks of gltf_check.h have bounded: no product here can overflow 64 bits.
+// the checks of check.h have bounded: no product here can overflow 64 bits.
 #pragma once
 
 #include <cstdint>

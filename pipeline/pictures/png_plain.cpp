@@ -1,6 +1,8 @@
 // The usual PNG without a detour: 8 bits a channel, in one pass, no palette, no transparent colour. Its
-// compressed data are unpacked at once by libdeflate, two to three times as fast as libspng's zlib, and the
-// filters undone on whole pixels (PNG specification, third edition, sections 5, 9 and 10). Enters: a file
+// compressed data are unpacked at once by libdeflate and the filters undone on whole pixels (PNG
+// specification, third edition, sections 5, 9 and 10). Why a second reader: drawing 4,000 triangles with two
+// PNGs of 1024² takes 0.14 s of processor time in all with it, 0.18 s with libspng alone, which was tried
+// (one thread, whole process); libspng unpacks with zlib and takes no other library for it. Enters: a file
 // whose header and leading chunks libspng has accepted. Leaves: pixels, or nothing when anything is unusual
 // or damaged: then libspng decodes it or says why not. Must not know: paths, limits.
 #include <libdeflate.h>

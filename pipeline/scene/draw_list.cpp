@@ -7,7 +7,7 @@ namespace barrido::scene {
 namespace {
 
 /// The geometry with the arrays that its surface asks for.
-pipeline::Geometry geometry_for(PreparedGeometry& prepared, const Surface& surface) {
+pipeline::Geometry geometry_for(PreparedGeometry& prepared, const SurfaceState& surface) {
   pipeline::Geometry geometry = prepared.geometry;
   geometry.constant_color = surface.color;
   geometry.color = colors_times(prepared, surface.color);

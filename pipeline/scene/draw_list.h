@@ -19,7 +19,7 @@ struct Draw {
   int material = kNone;  ///< kNone: glTF's default material
   glm::mat4 world_from_object{1.0f};
   bool mirrored = false;  ///< The matrix turns left into right, and so front into back.
-  Surface surface;
+  SurfaceState surface;
   pipeline::Geometry geometry;
   glm::vec3 center{0, 0, 0};  ///< Middle of the bounding box, object space
 };

@@ -20,7 +20,7 @@ bool keeps_lengths(const glm::mat4& matrix) {
          near(glm::dot(m[0], m[1]), 0) && near(glm::dot(m[1], m[2]), 0) && near(glm::dot(m[2], m[0]), 0);
 }
 
-void set_alpha(pipeline::State& state, const Surface& surface, bool write_alpha) {
+void set_alpha(pipeline::State& state, const SurfaceState& surface, bool write_alpha) {
   if (surface.alpha_mode == AlphaMode::mask) {
     state.alpha_test = {true, raster::Compare::greater_equal, surface.alpha_cutoff};
     state.color_mask[3] = write_alpha;
@@ -109,7 +109,7 @@ pipeline::State base_state(const RenderSettings& settings, const View& view, con
 pipeline::State state_of(const pipeline::State& base, const RenderSettings& settings, const View& view,
                          const Draw& draw, const Reflection& reflection, bool write_alpha) {
   pipeline::State state = base;
-  const Surface& surface = draw.surface;
+  const SurfaceState& surface = draw.surface;
   state.eye_from_object = pipeline::product(view.eye_from_world, draw.world_from_object);
   state.normalize = !keeps_lengths(state.eye_from_object);
   state.lighting.enabled = surface.lit;

@@ -65,7 +65,7 @@ const raster::Texture& studio(raster::Encoding encoding, SceneCaches& caches) {
 }
 
 /// Whether any pixel of the frame, or of the environments of its objects, shows the surroundings.
-bool needs_surroundings(const Frame& frame, const RenderSettings& settings) {
+bool needs_surroundings(const SceneFrame& frame, const RenderSettings& settings) {
   if (settings.background == Background::environment) return true;
   for (const Draw& draw : frame.list.draws) {
     if (draw.surface.reflection_unit != kNone) return true;
@@ -73,7 +73,7 @@ bool needs_surroundings(const Frame& frame, const RenderSettings& settings) {
   return false;
 }
 
-void choose_surroundings(Frame& frame, const SceneSettings* own, const RenderSettings& settings,
+void choose_surroundings(SceneFrame& frame, const SceneSettings* own, const RenderSettings& settings,
                          SceneCaches& caches) {
   const bool has_environment = settings.environment && settings.environment->is_cube();
   if (has_environment) {
@@ -131,9 +131,9 @@ View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettin
   return view_of(eye, posed.bounds.sphere, aspect_of(settings), posed.pose.origin);
 }
 
-Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
-                    std::vector<std::string>& warnings) {
-  Frame frame;
+SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
+                         std::vector<std::string>& warnings) {
+  SceneFrame frame;
   frame.posed = pose_scene(scene, settings, caches);
   frame.aspect = aspect_of(settings);
   frame.view = choose_view(scene, frame.posed, settings);

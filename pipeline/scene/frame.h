@@ -39,7 +39,7 @@ struct PosedScene {
   Bounds bounds;
 };
 
-struct Frame {
+struct SceneFrame {
   PosedScene posed;
   double aspect = 1.0;  ///< Width over height
   View view;
@@ -62,8 +62,8 @@ PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneC
 View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettings& settings);
 
 /// @throws InputError as the two above.
-Frame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
-                    std::vector<std::string>& warnings);
+SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
+                         std::vector<std::string>& warnings);
 
 /// Encoding of colour pictures: decoded for frames in linear light, else used as they are.
 raster::Encoding color_encoding(const RenderSettings& settings);

@@ -89,7 +89,7 @@ void add_marker(MarkerBuilder& builder, const pipeline::Light& light, const Sphe
 
 }  // namespace
 
-void Overlay::draw(pipeline::Renderer& renderer, const pipeline::State& base, const Frame& frame,
+void Overlay::draw(pipeline::Renderer& renderer, const pipeline::State& base, const SceneFrame& frame,
                    const Overlays& wanted) {
   const auto length = static_cast<float>(frame.posed.bounds.sphere.radius) * kNormalLength;
   for (const Draw& draw : frame.list.draws) {
@@ -152,7 +152,8 @@ void Overlay::draw_normals(pipeline::Renderer& renderer, const pipeline::State& 
   submit(renderer, line_state(base), std::move(lines), color_of(kNormalColor));
 }
 
-void Overlay::draw_lights(pipeline::Renderer& renderer, const pipeline::State& base, const Frame& frame) {
+void Overlay::draw_lights(pipeline::Renderer& renderer, const pipeline::State& base,
+                          const SceneFrame& frame) {
   Lines lines;
   for (const pipeline::Light& light : frame.lights.lights) {
     MarkerBuilder builder(lines.positions, lines.colors, glm::vec3(color_of(seen_color(light))));

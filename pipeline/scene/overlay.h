@@ -17,7 +17,7 @@ class Overlay {
   Overlay(const RenderSettings& settings, const View& view) : settings_(settings), view_(view) {}
 
   /// Draws what is asked for on top of what was drawn; hidden lines stay hidden.
-  void draw(pipeline::Renderer& renderer, const pipeline::State& base, const Frame& frame,
+  void draw(pipeline::Renderer& renderer, const pipeline::State& base, const SceneFrame& frame,
             const Overlays& wanted);
 
  private:
@@ -30,7 +30,7 @@ class Overlay {
   void draw_edges(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw);
   void draw_normals(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw,
                     float length);
-  void draw_lights(pipeline::Renderer& renderer, const pipeline::State& base, const Frame& frame);
+  void draw_lights(pipeline::Renderer& renderer, const pipeline::State& base, const SceneFrame& frame);
   void submit(pipeline::Renderer& renderer, const pipeline::State& state, Lines lines,
               const glm::vec4& color);
   glm::vec4 color_of(const glm::vec3& seen) const;

@@ -58,7 +58,7 @@ raster::FramebufferOptions frame_options(const RenderSettings& settings) {
 
 /// Where blended or cut-out surfaces lie before a background that lets something through, colours must be
 /// made straight at the end.
-std::optional<Backing> backing_of(const Frame& frame) {
+std::optional<Backing> backing_of(const SceneFrame& frame) {
   const glm::vec4& c = frame.clear_color;
   const std::vector<Draw>& draws = frame.list.draws;
   const bool is_mixed = std::any_of(draws.begin(), draws.end(), [](const Draw& draw) {
@@ -100,7 +100,7 @@ raster::FramebufferOptions face_options(const RenderSettings& settings) {
 /// Draws the frame's draws with one state each.
 class PassRenderer {
  public:
-  PassRenderer(const RenderSettings& settings, const Frame& frame, const Pass& pass,
+  PassRenderer(const RenderSettings& settings, const SceneFrame& frame, const Pass& pass,
                ReflectionMaps& reflections, ReflectionMaps& node_reflections,
                raster::Framebuffer& framebuffer)
       : settings_(settings),
@@ -197,7 +197,7 @@ class PassRenderer {
   }
 
   const RenderSettings& settings_;
-  const Frame& frame_;
+  const SceneFrame& frame_;
   const Pass& pass_;
   ReflectionMaps& reflections_;
   ReflectionMaps& node_reflections_;
@@ -213,7 +213,7 @@ class PassRenderer {
 };
 
 /// The nodes that reflect enough to have surroundings of their own, with the middle of what they draw.
-std::map<int, glm::dvec3> reflecting_nodes(const Frame& frame) {
+std::map<int, glm::dvec3> reflecting_nodes(const SceneFrame& frame) {
   std::map<int, std::pair<glm::dvec3, int>> sums;
   for (const Draw& draw : frame.list.draws) {
     const int unit = draw.surface.reflection_unit;
@@ -239,7 +239,7 @@ struct SceneRenderer::Implementation {
   std::vector<std::string> warnings;
 
   raster::Texture environment_of(int node, const glm::dvec3& center, const RenderSettings& settings,
-                                 const Frame& frame, pipeline::Statistics& work) {
+                                 const SceneFrame& frame, pipeline::Statistics& work) {
     std::vector<raster::Framebuffer> faces;
     ReflectionMaps unused;
     for (int face = 0; face < raster::kCubeFaces; ++face) {
@@ -258,7 +258,7 @@ struct SceneRenderer::Implementation {
     return cube_of_frames(faces, color_encoding(settings));
   }
 
-  void warn(const Frame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn,
+  void warn(const SceneFrame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn,
             int slices) {
     if (std::string reason = why_empty(frame, settings, drawn); !reason.empty()) warnings.push_back(reason);
     if (slices == 0) return;
@@ -268,7 +268,7 @@ struct SceneRenderer::Implementation {
         std::to_string(slices) + " slices");
   }
 
-  std::map<int, raster::Texture> environments(const RenderSettings& settings, const Frame& frame,
+  std::map<int, raster::Texture> environments(const RenderSettings& settings, const SceneFrame& frame,
                                               pipeline::Statistics& work) {
     std::map<int, raster::Texture> maps;
     const std::map<int, glm::dvec3> nodes = reflecting_nodes(frame);
@@ -291,7 +291,7 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
                                           FrameObserver* observer) {
   Implementation& self = *implementation_;
   self.warnings.clear();
-  const Frame frame = prepare_frame(self.scene, settings, self.caches, self.warnings);
+  const SceneFrame frame = prepare_frame(self.scene, settings, self.caches, self.warnings);
   const std::optional<Backing> backing = backing_of(frame);
   raster::Framebuffer framebuffer(frame_options(settings, backing.has_value()));
   pipeline::Statistics work;

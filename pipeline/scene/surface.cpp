@@ -28,7 +28,8 @@ raster::CombineState combine_colors(raster::CombineFunction function,
 /// Adds units to a surface, first to last in the order of the texturing.
 class SurfaceBuilder {
  public:
-  SurfaceBuilder(const Scene& scene, const SurfaceOptions& options, TextureCache& textures, Surface& surface)
+  SurfaceBuilder(const Scene& scene, const SurfaceOptions& options, TextureCache& textures,
+                 SurfaceState& surface)
       : scene_(scene), options_(options), textures_(textures), surface_(surface) {}
 
   bool can_use(const TextureUse& use) const { return options_.textures && textures_.usable(use.texture); }
@@ -93,7 +94,7 @@ class SurfaceBuilder {
   const Scene& scene_;
   const SurfaceOptions& options_;
   TextureCache& textures_;
-  Surface& surface_;
+  SurfaceState& surface_;
 };
 
 SurfaceContext context_of(const Material& material, bool has_colors, const SurfaceOptions& options,
@@ -112,13 +113,13 @@ SurfaceContext context_of(const Material& material, bool has_colors, const Surfa
   return context;
 }
 
-void set_unlit(Surface& surface, const Material& material, SurfaceBuilder& builder) {
+void set_unlit(SurfaceState& surface, const Material& material, SurfaceBuilder& builder) {
   surface.lit = false;
   surface.color = material.base_color;
   if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
 }
 
-void set_material(Surface& surface, const SurfaceCoefficients& coefficients, const ExactMaterial& exact,
+void set_material(SurfaceState& surface, const SurfaceCoefficients& coefficients, const ExactMaterial& exact,
                   const SurfaceOptions& options) {
   surface.material.ambient = glm::vec4(coefficients.ambient, 1.0f);
   surface.material.diffuse = coefficients.diffuse;
@@ -131,7 +132,7 @@ void set_material(Surface& surface, const SurfaceCoefficients& coefficients, con
 }
 
 /// The light that the surface gives off is added last, where no texture can multiply it.
-void set_emission(Surface& surface, const Material& material, const glm::vec3& emission,
+void set_emission(SurfaceState& surface, const Material& material, const glm::vec3& emission,
                   const SurfaceOptions& options, TextureCache& textures, SurfaceBuilder& builder) {
   if (emission == glm::vec3(0.0f)) return;
   if (builder.can_use(material.emissive_texture)) {
@@ -149,7 +150,7 @@ void set_emission(Surface& surface, const Material& material, const glm::vec3& e
   }
 }
 
-void set_lit(Surface& surface, const Material& material, bool has_colors, const SurfaceOptions& options,
+void set_lit(SurfaceState& surface, const Material& material, bool has_colors, const SurfaceOptions& options,
              TextureCache& textures, SurfaceBuilder& builder) {
   const SurfaceCoefficients coefficients = convert_material(
       material, context_of(material, has_colors, options, textures), options.reflections, options.limits);
@@ -188,13 +189,13 @@ Material changed(Material material, const MaterialOverride& by) {
 
 }  // namespace
 
-Surface make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
-                     const SurfaceOptions& options, TextureCache& textures) {
+SurfaceState make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
+                          const SurfaceOptions& options, TextureCache& textures) {
   static const Material kDefaultMaterial;
   const Material source =
       changed(material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(material)],
               options.material);
-  Surface surface;
+  SurfaceState surface;
   surface.texture_matrix.fill(glm::mat4(1.0f));
   surface.alpha_mode = source.alpha_mode;
   surface.alpha_cutoff = source.alpha_cutoff;

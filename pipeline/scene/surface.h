@@ -1,5 +1,5 @@
 // From a material to the state of a draw that depends on it alone: coefficients, texture units, alpha.
-// Enters: a material and the choices of technique; leaves: a Surface. Knows no lights, no view and no
+// Enters: a material and the choices of technique; leaves: a SurfaceState. Knows no lights, no view and no
 // geometry.
 #pragma once
 
@@ -26,7 +26,7 @@ struct SurfaceOptions {
   MaterialOverride material;
 };
 
-struct Surface {
+struct SurfaceState {
   bool lit = true;
   glm::vec4 color{1, 1, 1, 1};  ///< Of unlit surfaces, or what vertex colours are multiplied by
   pipeline::ColorMaterial color_material = pipeline::ColorMaterial::none;
@@ -44,7 +44,7 @@ struct Surface {
 };
 
 /// `has_normals` and `has_colors` tell what the primitive brings along: without normals it is unlit.
-Surface make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
-                     const SurfaceOptions& options, TextureCache& textures);
+SurfaceState make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
+                          const SurfaceOptions& options, TextureCache& textures);
 
 }  // namespace barrido::scene

@@ -22,6 +22,7 @@ class GlbReader {
     if (!check_header()) return {};
     std::size_t offset = glb::kHeaderBytes;
     for (std::size_t chunk = 0; offset < file_.size(); ++chunk) {
+      chunks_.has_json = has_json_;
       if (offset == length_) {
         issues_.add_at(offset, kGlbExtraData, {std::to_string(file_.size() - offset)});
         return chunks_;
@@ -94,7 +95,10 @@ class GlbReader {
   }
 
   void keep(std::uint32_t type, std::span<const std::uint8_t> bytes) {
-    if (type == glb::kJsonChunk) chunks_.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    if (type == glb::kJsonChunk) {
+      chunks_.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+      chunks_.has_json = !bytes.empty();
+    }
     if (type == glb::kBinaryChunk) chunks_.binary = bytes;
   }
 

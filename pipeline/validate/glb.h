@@ -1,5 +1,5 @@
 // The GLB container (glTF 2.0, section 4.4), chunk by chunk, with everything that is wrong with it. The
-// importer stops at the first fault (gltf_container.h); this goes on as far as there are bytes.
+// importer stops at the first fault (gltf/container.h); this goes on as far as there are bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 namespace barrido::scene::validation {
 
 struct Chunks {
-  std::string_view json;                                ///< Empty where there is none to be read.
+  std::string_view json;
+  bool has_json = false;  ///< Not where nothing follows an empty one: it is not begun to be read.
   std::optional<std::span<const std::uint8_t>> binary;  ///< The BIN chunk.
 };
 

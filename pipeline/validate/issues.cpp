@@ -27,7 +27,9 @@ bool Issues::take(const Code& code) {
 
 void Issues::add(const Code& code, const Place& place, std::initializer_list<std::string> arguments) {
   if (!take(code)) return;
-  list_.push_back({code.name, code.severity, place.pointer(), {}, sentence(code.message, arguments)});
+  std::string pointer = place.pointer();
+  if (pointer.empty()) pointer.push_back('/');
+  list_.push_back({code.name, code.severity, std::move(pointer), {}, sentence(code.message, arguments)});
 }
 
 void Issues::add(const Code& code, std::string pointer, std::initializer_list<std::string> arguments) {

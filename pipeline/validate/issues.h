@@ -31,7 +31,9 @@ class Issues {
   /// At most `max_kept` findings are kept; the others are only counted.
   explicit Issues(std::size_t max_kept) : max_kept_(max_kept) {}
 
+  /// The root is "/", as the reference validator has it; RFC 6901 says "".
   void add(const Code& code, const Place& place, std::initializer_list<std::string> arguments = {});
+  /// An empty pointer stands for the file.
   void add(const Code& code, std::string pointer, std::initializer_list<std::string> arguments = {});
   void add_at(std::uint64_t offset, const Code& code, std::initializer_list<std::string> arguments = {});
 

@@ -80,10 +80,12 @@ std::size_t count_values(std::string_view text) {
   return count;
 }
 
-/// Looks for names that come twice in an object: told value after value, it builds nothing.
+/// Looks for names that come twice in an object, and keeps the order of attributes: told value after value,
+/// it builds nothing else.
 class NameWatch : public nlohmann::json_sax<Json> {
  public:
-  explicit NameWatch(Issues& issues) : issues_(issues) {}
+  NameWatch(Issues& issues, NamesInOrder& attribute_names)
+      : issues_(issues), attribute_names_(attribute_names) {}
 
   bool null() override { return count_item(); }
   bool boolean(bool) override { return count_item(); }
@@ -99,7 +101,11 @@ class NameWatch : public nlohmann::json_sax<Json> {
   bool key(std::string& name) override {
     Level& level = levels_.back();
     level.name = name;
-    if (!level.names.insert(name).second) issues_.add(kDuplicateElements, pointer(), {in_quotes(name)});
+    if (!level.names.insert(name).second) {
+      issues_.add(kDuplicateElements, pointer(levels_.size()), {in_quotes(name)});
+    } else if (holds_attributes()) {
+      attribute_names_[pointer(levels_.size() - 1)].push_back(name);
+    }
     return true;
   }
   bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
@@ -126,7 +132,13 @@ class NameWatch : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  std::string pointer() const { return pointer_of(levels_.size(), Place()); }
+  bool holds_attributes() const {
+    const std::size_t depth = levels_.size();
+    return (depth > 1 && levels_[depth - 2].name == "attributes") ||
+           (depth > 2 && levels_[depth - 3].name == "targets");
+  }
+
+  std::string pointer(std::size_t depth) const { return pointer_of(depth, Place()); }
   std::string pointer_of(std::size_t depth, const Place& place, std::size_t at = 0) const {
     if (at == depth) return place.pointer();
     const Level& level = levels_[at];
@@ -135,6 +147,7 @@ class NameWatch : public nlohmann::json_sax<Json> {
   }
 
   Issues& issues_;
+  NamesInOrder& attribute_names_;
   std::vector<Level> levels_;
 };
 
@@ -146,23 +159,23 @@ std::string parse_problem(std::string what) {
 
 /// Twice over the text: the library's way to watch while it builds looks through every array again for each
 /// object in it.
-Json parse(Issues& issues, std::string_view text) {
-  Json document = Json::parse(text.begin(), text.end());
-  NameWatch watch(issues);
+JsonText parse(Issues& issues, std::string_view text) {
+  JsonText result{Json::parse(text.begin(), text.end()), {}};
+  NameWatch watch(issues, result.attribute_names);
   Json::sax_parse(text.begin(), text.end(), &watch);
-  return document;
+  return result;
 }
 
 }  // namespace
 
-std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int max_depth,
-                                    std::size_t max_values) {
+std::optional<JsonText> parse_json_text(Issues& issues, std::string_view text, int max_depth,
+                                        std::size_t max_values) {
   if (text.starts_with(kByteOrderMark)) {
-    issues.add(kInvalidJson, Place(), {"it begins with a byte order mark"});
+    issues.add(kInvalidJson, "", {"it begins with a byte order mark"});
     text.remove_prefix(kByteOrderMark.size());
   }
   if (count_values(text) > max_values) {
-    issues.add(kInvalidJson, Place(), {"more than " + std::to_string(max_values) + " values are not read"});
+    issues.add(kInvalidJson, "", {"more than " + std::to_string(max_values) + " values are not read"});
     return {};
   }
   try {
@@ -170,9 +183,9 @@ std::optional<Json> parse_json_text(Issues& issues, std::string_view text, int m
     const std::string rewritten = with_finite_numbers(text);
     return parse(issues, rewritten.empty() ? text : rewritten);
   } catch (const Json::exception& error) {
-    issues.add(kInvalidJson, Place(), {parse_problem(error.what())});
+    issues.add(kInvalidJson, "", {parse_problem(error.what())});
   } catch (const InputError& error) {
-    issues.add(kInvalidJson, Place(), {error.what()});
+    issues.add(kInvalidJson, "", {error.what()});
   }
   return {};
 }

@@ -23,13 +23,14 @@ std::string name_of(AccessorUsage usage) {
 
 }  // namespace
 
-Link::Link(SchemaWalk& walk, const Json& checked_document, Budget& steps)
+Link::Link(SchemaWalk& walk, const JsonText& checked, Budget& steps)
     : issues(walk.issues()),
       references(walk.references()),
       materials(walk.materials()),
       schema(walk),
-      document(checked_document),
-      model(checked_document),
+      document(checked.document),
+      attribute_names(checked.attribute_names),
+      model(checked.document),
       budget(steps),
       view_usages(model.views.size()),
       accessor_usages(model.accessors.size()) {

@@ -56,7 +56,7 @@ class Budget {
 };
 
 struct Link {
-  Link(SchemaWalk& walk, const Json& checked_document, Budget& steps);
+  Link(SchemaWalk& walk, const JsonText& checked, Budget& steps);
 
   void use_view(std::size_t view, ViewUsage usage, const Place& place);
   void use_accessor(std::size_t accessor, AccessorUsage usage, const Place& place);
@@ -67,6 +67,7 @@ struct Link {
   const std::vector<MaterialNeeds>& materials;
   const SchemaWalk& schema;
   const Json& document;
+  const NamesInOrder& attribute_names;
   Model model;
   Budget& budget;
   std::vector<DataCheck> data_checks;

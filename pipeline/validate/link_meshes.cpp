@@ -82,9 +82,9 @@ class PrimitiveLink {
     sets_ = count_attribute_sets(attributes);
     texcoord_used_.resize(sets_.texcoords);
     const Place attributes_place(place_, "attributes");
-    for (const auto& [name, index] : attributes.items()) {
+    for_each_in_order(attributes, attributes_place, [&](const std::string& name, const Json& index) {
       link_attribute(name, index, Place(attributes_place, name));
-    }
+    });
     link_indices(Place(place_, "indices"));
     check_mode();
     link_material(attributes, attributes_place);
@@ -101,6 +101,17 @@ class PrimitiveLink {
     static const Json kEmpty = Json::object();
     const auto found = object.find(name);
     return found == object.end() ? kEmpty : *found;
+  }
+
+  /// In the order of the file: the first attribute tells how many vertices there are.
+  template <typename Visit>
+  void for_each_in_order(const Json& attributes, const Place& place, Visit visit) const {
+    const auto names = link_.attribute_names.find(place.pointer());
+    if (names == link_.attribute_names.end()) return;
+    for (const std::string& name : names->second) {
+      const auto found = attributes.find(name);
+      if (found != attributes.end()) visit(name, *found);
+    }
   }
 
   /// Null where there is no such accessor.
@@ -258,9 +269,9 @@ class PrimitiveLink {
     const Place targets_place(place_, "targets");
     for (std::size_t i = 0; i < targets.size(); ++i) {
       const Place target_place(targets_place, i);
-      for (const auto& [name, index] : targets[i].items()) {
+      for_each_in_order(targets[i], target_place, [&](const std::string& name, const Json& index) {
         const Accessor* source = accessor(index);
-        if (source == nullptr) continue;
+        if (source == nullptr) return;
         const Place place(target_place, name);
         link_vertices(*source, name, true, place);
         const auto base_index = attributes.find(name);
@@ -271,7 +282,7 @@ class PrimitiveLink {
           link_.issues.add(kMeshPrimitiveMorphTargetInvalidAttributeCount, place,
                            {std::to_string(source->count), std::to_string(base->count)});
         }
-      }
+      });
     }
   }
 

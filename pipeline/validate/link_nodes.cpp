@@ -168,7 +168,8 @@ class NodeLink {
       return node.contains(name) && link_.references.exists(target, node[name].get<std::size_t>());
     };
     const bool has_content = node.contains("children") || refers("mesh", Collection::meshes) ||
-                             refers("camera", Collection::cameras) || node.contains("extras") ||
+                             refers("camera", Collection::cameras) ||
+                             !node.value("extras", Json()).is_null() ||
                              (node.contains("extensions") && !node["extensions"].empty());
     if (!is_joint_[index] && !has_content) link_.issues.add(kNodeEmpty, place);
     if (hierarchy_.is_in_loop(index)) link_.issues.add(kNodeLoop, place);

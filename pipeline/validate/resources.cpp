@@ -2,6 +2,7 @@
 #include "pipeline/validate/resources.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace barrido::scene::validation {
 namespace {
@@ -15,11 +16,32 @@ std::string media_type(std::string_view uri) {
   return type.empty() ? "text/plain" : type;
 }
 
-/// Whether a URI has a scheme, a host, an absolute path, a query or a fragment (RFC 3986, section 4.2).
-bool is_relative(std::string_view uri) {
-  if (uri.find_first_of("?#") != std::string_view::npos || uri.starts_with('/')) return false;
-  const std::size_t end = uri.find_first_of(":/");
-  return end == std::string_view::npos || uri[end] != ':';
+/// What stands before a colon in the first segment of a URI's path; nothing where there is none.
+std::optional<std::string_view> scheme_of(std::string_view uri) {
+  const std::size_t end = uri.find_first_of(":/?#");
+  if (end == std::string_view::npos || uri[end] != ':') return {};
+  return uri.substr(0, end);
+}
+
+/// RFC 3986, section 3.1.
+bool is_scheme(std::string_view text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+  });
+}
+
+/// Reports a URI that is broken or has a scheme, a host, an absolute path, a query or a fragment (RFC 3986,
+/// section 4.2).
+bool is_relative(Issues& issues, const std::string& uri, const Place& place) {
+  const auto scheme = scheme_of(uri);
+  if (scheme && !is_scheme(*scheme)) {
+    issues.add(kInvalidUri, place, {in_quotes(*scheme) + " before the colon is no scheme"});
+    return false;
+  }
+  if (!scheme && uri.find_first_of("?#") == std::string::npos && !uri.starts_with('/')) return true;
+  issues.add(kNonRelativeUri, place, {in_quotes(uri)});
+  return false;
 }
 
 /// Whether what stands before the comma of a data URI is a media type, parameters of the form name=value, and
@@ -67,8 +89,7 @@ gltf::Content Resources::read_data_uri(Link& link, const std::string& uri, const
 
 gltf::Content Resources::read_file(Link& link, const std::string& uri, const Place& place) {
   gltf::Content content;
-  if (!is_relative(uri)) {
-    link.issues.add(kNonRelativeUri, place, {in_quotes(uri)});
+  if (!is_relative(link.issues, uri, place)) {
     content.problem = "is not relative";
     return content;
   }
@@ -111,7 +132,10 @@ void Resources::load_buffer(Link& link, const Json& source, std::size_t index, c
         link.issues.add(kBufferDataUriMimeTypeInvalid, uri_place, {in_quotes(type)});
         return;
       }
-    } else if (buffer.byte_length) {
+    } else if (!buffer.byte_length) {
+      is_relative(link.issues, *uri, uri_place);
+      return;
+    } else {
       content = read_file(link, *uri, uri_place);
       if (!content.problem.empty()) return;
       const auto [file, is_new] =

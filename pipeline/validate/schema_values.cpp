@@ -111,39 +111,40 @@ bool SchemaWalk::check_texts(const Json& value, const Place& place) {
   return all_texts;
 }
 
-bool SchemaWalk::has_parent(const Json::json_pointer& array) const {
-  const Json::json_pointer parent = array.parent_pointer();
-  return document_.contains(parent) && document_[parent].is_object();
+bool SchemaWalk::has_its_arrays(const Schema& schema, const Place& place) {
+  for (const Property& property : schema.properties) {
+    if (property.target != Collection::lights && property.target != Collection::variants) continue;
+    const auto extension = Json::json_pointer(gltf::pointer_to(property.target)).parent_pointer();
+    if (document_.contains(extension) && document_[extension].is_object()) continue;
+    issues_.add(kUnsatisfiedDependency, place, {extension.to_string()});
+    return false;
+  }
+  return true;
 }
 
-void SchemaWalk::resolve(std::size_t index, const Property& property, const Place& place,
-                         const Place& object_place) {
+void SchemaWalk::resolve(std::size_t index, const Property& property, const Place& place) {
   const Collection target = property.target;
-  if (target == Collection::count) return;  // The array is known only to the object that holds both.
-  const Json::json_pointer array(gltf::pointer_to(target));
-  if (!has_parent(array)) {
-    issues_.add(kUnsatisfiedDependency, object_place, {array.parent_pointer().to_string()});
-  } else if (!references_.exists(target, index)) {
+  if (!resolves_ || target == Collection::count)
+    return;  // The array is known only to the object that holds both.
+  if (!references_.exists(target, index)) {
     issues_.add(kUnresolvedReference, place, {gltf::element(gltf::name_of(target), index)});
   } else if (!property.unused) {
     references_.use(target, index);
   }
 }
 
-bool SchemaWalk::check_index(Json& value, const Property& property, const Place& place,
-                             const Place& object_place) {
+bool SchemaWalk::check_index(Json& value, const Property& property, const Place& place) {
   if (!has_type(make_whole(value), value, "a whole number", place)) return false;
   const std::size_t index = index_in(value);
   if (index == kNoIndex) {
     issues_.add(kInvalidIndex, place);
     return false;
   }
-  resolve(index, property, place, object_place);
+  resolve(index, property, place);
   return true;
 }
 
-bool SchemaWalk::check_indices(Json& value, const Property& property, const Place& place,
-                               const Place& object_place) {
+bool SchemaWalk::check_indices(Json& value, const Property& property, const Place& place) {
   if (!has_type(value.is_array(), value, "an array", place)) return false;
   if (value.empty()) {
     issues_.add(kEmptyEntity, place);
@@ -159,7 +160,7 @@ bool SchemaWalk::check_indices(Json& value, const Property& property, const Plac
       continue;
     }
     if (!seen.insert(index).second) issues_.add(kDuplicateElements, item_place, {std::to_string(index)});
-    resolve(index, property, item_place, object_place);
+    resolve(index, property, item_place);
   }
   return true;
 }
@@ -177,7 +178,7 @@ bool SchemaWalk::check_index_map(Json& value, const Property& property, const Pl
       issues_.add(kInvalidIndex, item_place);
       *item = -1;
     } else {
-      resolve(index, property, item_place, place);
+      resolve(index, property, item_place);
     }
   }
   return true;

@@ -116,14 +116,16 @@ void SchemaWalk::check_property(Json& object, const Property& property, const Pl
     issues_.add(kUndefinedProperty, place, {in_quotes(property.name)});
   }
   if (found == object.end()) return;
-  if (!check_value(*found, property, Place(place, property.name), place)) object.erase(found);
+  if (!check_value(*found, property, Place(place, property.name))) object.erase(found);
 }
 
 void SchemaWalk::walk_object(Json& object, const Schema& schema, const Place& place) {
   warn_of_unknown(object, schema, place);
+  resolves_ = has_its_arrays(schema, place);
   for (const Property& property : schema.properties) {
     if (!property.of_type) check_property(object, property, place);
   }
+  resolves_ = true;
   walk_extensions(object, schema, place);
   check_values(*this, schema.type, object, place);
   for (Property property : schema.properties) {
@@ -201,8 +203,7 @@ bool SchemaWalk::check_collection(Json& value, const Property& property, const P
   return true;
 }
 
-bool SchemaWalk::check_value(Json& value, const Property& property, const Place& place,
-                             const Place& object_place) {
+bool SchemaWalk::check_value(Json& value, const Property& property, const Place& place) {
   switch (property.kind) {
     case Kind::any:
       return true;
@@ -217,9 +218,9 @@ bool SchemaWalk::check_value(Json& value, const Property& property, const Place&
     case Kind::texts:
       return check_texts(value, place);
     case Kind::index:
-      return check_index(value, property, place, object_place);
+      return check_index(value, property, place);
     case Kind::indices:
-      return check_indices(value, property, place, object_place);
+      return check_indices(value, property, place);
     case Kind::index_map:
       return check_index_map(value, property, place);
     case Kind::index_maps:

@@ -45,13 +45,13 @@ class SchemaWalk {
   void walk_extensions(Json& object, const Schema& schema, const Place& place);
   void walk_extension(Json& extensions, const std::string& name, const Schema& schema, const Place& place);
 
-  bool check_value(Json& value, const Property& property, const Place& place, const Place& object_place);
+  bool check_value(Json& value, const Property& property, const Place& place);
   bool check_integer(Json& value, const Property& property, const Place& place);
   bool check_number(const Json& value, const Property& property, const Place& place);
   bool check_text(const Json& value, const Property& property, const Place& place);
   bool check_texts(const Json& value, const Place& place);
-  bool check_index(Json& value, const Property& property, const Place& place, const Place& object_place);
-  bool check_indices(Json& value, const Property& property, const Place& place, const Place& object_place);
+  bool check_index(Json& value, const Property& property, const Place& place);
+  bool check_indices(Json& value, const Property& property, const Place& place);
   bool check_index_map(Json& value, const Property& property, const Place& place);
   bool check_index_maps(Json& value, const Property& property, const Place& place);
   bool check_numbers(const Json& value, const Property& property, const Place& place);
@@ -59,14 +59,15 @@ class SchemaWalk {
   bool check_collection(Json& value, const Property& property, const Place& place);
   /// Reports the type when it is not the one wanted.
   bool has_type(bool right, const Json& value, const char* wanted, const Place& place);
-  void resolve(std::size_t index, const Property& property, const Place& place, const Place& object_place);
-  /// Whether there is an object where the array belongs.
-  bool has_parent(const Json::json_pointer& array) const;
+  void resolve(std::size_t index, const Property& property, const Place& place);
+  /// Reports an object that refers to an extension's array where the document has no such extension.
+  bool has_its_arrays(const Schema& schema, const Place& place);
 
   Issues& issues_;
   Json& document_;
   References references_;
   std::vector<std::string> declared_, known_;
+  bool resolves_ = true;  ///< Whether indices of the object that is being walked mean something.
   std::vector<MaterialNeeds> materials_;
   MaterialNeeds* material_ = nullptr;
 };

@@ -26,12 +26,12 @@ bool is_glb(std::span<const std::uint8_t> file, const std::filesystem::path& pat
   return text.starts_with(kMagic) || extension == ".glb";
 }
 
-void check_document(ValidationReport& report, Json& document, Resources& resources,
+void check_document(ValidationReport& report, JsonText& text, Resources& resources,
                     const ValidateOptions& options) {
-  SchemaWalk walk(report.issues, document);
+  SchemaWalk walk(report.issues, text.document);
   if (!walk.run()) return;
   Budget steps(kMaxTreeSteps), numbers(options.max_numbers);
-  Link link(walk, document, steps);
+  Link link(walk, text, steps);
   link_accessors(link);
   link_images(link);
   link_meshes(link);
@@ -42,7 +42,7 @@ void check_document(ValidationReport& report, Json& document, Resources& resourc
   resources.check_images(link);
   check_data(link, numbers);
   resources.check_textures(link);
-  if (steps.exhausted() || numbers.exhausted()) link.issues.add(kDataNotChecked, Place());
+  if (steps.exhausted() || numbers.exhausted()) link.issues.add(kDataNotChecked, "");
   report.info = info_of(link);
 }
 
@@ -54,20 +54,20 @@ void validate(ValidationReport& report, const std::filesystem::path& path, const
   Chunks chunks;
   if (report.is_glb) {
     chunks = read_glb(report.issues, bytes);
-    if (chunks.json.empty()) return;
+    if (!chunks.has_json) return;
   } else {
     chunks.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
-  std::optional<Json> document =
+  std::optional<JsonText> text =
       parse_json_text(report.issues, chunks.json, options.max_json_depth, options.max_json_values);
-  if (!document) return;
-  if (!document->is_object()) {
-    report.issues.add(kTypeMismatch, Place(), {shown(*document), "an object"});
+  if (!text) return;
+  if (!text->document.is_object()) {
+    report.issues.add(kTypeMismatch, "", {shown(text->document), "an object"});
     return;
   }
   Resources resources(path.parent_path(), report.is_glb ? &chunks : nullptr, file.block.owner(),
                       options.max_file_bytes);
-  check_document(report, *document, resources, options);
+  check_document(report, *text, resources, options);
 }
 
 }  // namespace

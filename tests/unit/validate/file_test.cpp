@@ -19,6 +19,28 @@ TEST(ValidateText, SyntaxAndEncoding) {
   EXPECT_EQ(lines_of(validate_text(std::string(100'000, '['))), Lines{"INVALID_JSON "});
 }
 
+TEST(ValidateText, TheRootIsASlashAndTheFileIsNothing) {
+  EXPECT_EQ(lines_of(validate_text("{}")), Lines{"UNDEFINED_PROPERTY /"});
+  EXPECT_EQ(lines_of(validate_text("7")), Lines{"TYPE_MISMATCH "});
+}
+
+TEST(ValidateUri, BeforeAColonStandsAScheme) {
+  const auto buffer = [](const std::string& uri) {
+    return lines_of(
+        validate_text(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":")" + uri + "\"}]}"),
+        Severity::warning);
+  };
+  for (const char* uri : {":", ":a", "1a:b", "a b:c"})
+    EXPECT_EQ(buffer(uri), Lines{"INVALID_URI /buffers/0/uri"}) << uri;
+  for (const char* uri : {"http:", "a+1.b-c:d", "/a:b", "?:", "#:"}) {
+    EXPECT_EQ(buffer(uri), Lines{"NON_RELATIVE_URI /buffers/0/uri"}) << uri;
+  }
+  EXPECT_EQ(buffer("none/1:2.bin"), Lines{"IO_ERROR /buffers/0/uri"});
+  EXPECT_EQ(
+      lines_of(validate_text(R"({"asset":{"version":"2.0"},"images":[{"uri":":"}]})"), Severity::warning),
+      Lines{"INVALID_URI /images/0/uri"});
+}
+
 TEST(ValidateText, AsManyValuesAsAllowed) {
   const std::string text = R"({"asset":{"version":"2.0","generator":",[{"}})";
   EXPECT_EQ(lines_of(validate_text(text, "a.gltf", {.max_json_values = 4})), Lines{});
@@ -61,6 +83,29 @@ Lines glb_lines(const std::function<void(std::vector<std::uint8_t>&)>& spoil) {
 
 void put(std::vector<std::uint8_t>& file, std::size_t offset, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) file.at(offset + i) = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+/// A GLB of chunks without content.
+std::vector<std::uint8_t> empty_chunks(const std::vector<std::uint32_t>& types) {
+  std::vector<std::uint8_t> file(12 + 8 * types.size());
+  put(file, 0, 0x46546c67);
+  put(file, 4, 2);
+  put(file, 8, static_cast<std::uint32_t>(file.size()));
+  for (std::size_t i = 0; i < types.size(); ++i) put(file, 16 + 8 * i, types[i]);
+  return file;
+}
+
+TEST(ValidateGlb, AnEmptyJsonChunkIsReadIfSomethingFollows) {
+  constexpr std::uint32_t kJson = 0x4e4f534a, kBinary = 0x004e4942;
+  const auto lines = [](const std::vector<std::uint32_t>& types) {
+    const TemporaryFolder folder;
+    return lines_of(validate_gltf(folder.write("model.glb", empty_chunks(types))));
+  };
+  EXPECT_EQ(lines({kJson}), Lines{"GLB_EMPTY_CHUNK @12"});
+  EXPECT_EQ(lines({kJson, kJson}), (Lines{"GLB_DUPLICATE_CHUNK @20", "GLB_EMPTY_CHUNK @12",
+                                          "GLB_EMPTY_CHUNK @20", "INVALID_JSON "}));
+  EXPECT_EQ(lines({kJson, kBinary}),
+            (Lines{"GLB_EMPTY_BIN_CHUNK @20", "GLB_EMPTY_CHUNK @12", "INVALID_JSON "}));
 }
 
 TEST(ValidateGlb, Containers) {

@@ -234,5 +234,26 @@ TEST(ValidateLink, Animations) {
   });
 }
 
+/// As text, since json objects lose the order.
+std::vector<std::string> lines_with_attributes(const std::string& attributes) {
+  return lines_of(
+      validate_text(R"({"asset":{"version":"2.0"},"accessors":[)"
+                    R"({"type":"VEC3","componentType":5126,"count":3,"min":[0,0,0],"max":[0,0,0]},)"
+                    R"({"type":"VEC4","componentType":5126,"count":4}],)"
+                    R"("meshes":[{"primitives":[{"attributes":)" +
+                    attributes + R"(}]}],"nodes":[{"mesh":0}]})"),
+      Severity::warning);
+}
+
+TEST(ValidateLink, TheFirstAttributeOfTheFileCountsTheVertices) {
+  EXPECT_EQ(lines_with_attributes(R"({"POSITION":0,"COLOR_0":1})"),
+            std::vector<std::string>{"MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT " + kPrimitive +
+                                     "/attributes/COLOR_0"});
+  EXPECT_EQ(lines_with_attributes(R"({"COLOR_0":1,"POSITION":0})"),
+            (std::vector<std::string>{
+                "MESH_PRIMITIVE_INCOMPATIBLE_MODE " + kPrimitive,
+                "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT " + kPrimitive + "/attributes/POSITION"}));
+}
+
 }  // namespace
 }  // namespace barrido::scene::test

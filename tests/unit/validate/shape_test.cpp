@@ -18,7 +18,7 @@ TEST(ValidateShape, SoundTriangleHasNoFault) {
 TEST(ValidateShape, PropertiesOfTheDocument) {
   expect_found({
       {"unknown property", [](Model& m) { m.document["a/b"] = 1; }, {"UNEXPECTED_PROPERTY /a~1b"}},
-      {"no asset", [](Model& m) { m.document.erase("asset"); }, {"UNDEFINED_PROPERTY "}},
+      {"no asset", [](Model& m) { m.document.erase("asset"); }, {"UNDEFINED_PROPERTY /"}},
       {"version 1",
        [](Model& m) { m.document["asset"]["version"] = "1.0"; },
        {"UNKNOWN_ASSET_MAJOR_VERSION /asset/version"}},
@@ -103,7 +103,53 @@ TEST(ValidateShape, Extensions) {
          node(m)["extensions"]["KHR_lights_punctual"]["light"] = 0;
        },
        {"UNSATISFIED_DEPENDENCY /nodes/0/extensions/KHR_lights_punctual"}},
+      {"no light and none named",
+       [](Model& m) {
+         declare(m, "KHR_lights_punctual");
+         node(m)["extensions"]["KHR_lights_punctual"] = json::object();
+       },
+       {"UNDEFINED_PROPERTY /nodes/0/extensions/KHR_lights_punctual",
+        "UNSATISFIED_DEPENDENCY /nodes/0/extensions/KHR_lights_punctual"}},
+      {"lights, but none named",
+       [](Model& m) {
+         declare(m, "KHR_lights_punctual");
+         m.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+         node(m)["extensions"]["KHR_lights_punctual"] = json::object();
+       },
+       {"UNDEFINED_PROPERTY /nodes/0/extensions/KHR_lights_punctual"}},
+      {"no variants, once for all of a mapping",
+       [](Model& m) {
+         declare(m, "KHR_materials_variants");
+         add_material(m, json::object());
+         primitive(m)["extensions"]["KHR_materials_variants"]["mappings"] = {
+             {{"material", 0}, {"variants", {0, 1}}}};
+       },
+       {"UNSATISFIED_DEPENDENCY "
+        "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/0"}},
   });
+}
+
+TEST(ValidateShape, WhatAMappingWithoutVariantsNamesIsNotUsed) {
+  Model model = sound_triangle();
+  declare(model, "KHR_materials_variants");
+  add_material(model, json::object());
+  primitive(model)["extensions"]["KHR_materials_variants"]["mappings"] = {
+      {{"material", 0}, {"variants", {0}}}};
+  const auto lines = lines_of(validate(model));
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "UNUSED_OBJECT /materials/0"), lines.end());
+}
+
+TEST(ValidateShape, ANodeWithExtrasOfAnyKindIsNotEmpty) {
+  const auto lines_with = [](const json& extras) {
+    Model model = sound_triangle();
+    model.append("nodes", {{"extras", extras}});
+    return lines_of(validate(model));
+  };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines_with(json::object()), Lines{});
+  EXPECT_EQ(lines_with(false), Lines{"NON_OBJECT_EXTRAS /nodes/1/extras"});
+  EXPECT_EQ(lines_with({1, 2}), Lines{"NON_OBJECT_EXTRAS /nodes/1/extras"});
+  EXPECT_EQ(lines_with(nullptr), Lines{"NODE_EMPTY /nodes/1"});
 }
 
 TEST(ValidateShape, Values) {
