@@ -36,6 +36,8 @@ LAYERS = [
 PRIVATE_HEADERS = {
     r"tiny_gltf\.h|tinygltf": ["pipeline/gltf"],
     r"OpenImageIO/": ["pipeline/pictures"],
+    r"draco/|meshoptimizer\.h": ["pipeline/gltf", "tests"],
+    r"webp/": ["pipeline/pictures", "tests"],
     r"spng\.h|jpeglib\.h|turbojpeg\.h|png\.h": ["pipeline/pictures", "models/tool", "tests"],
     r"GLFW/|imgui": ["viewer/barrido-view", "tests"],
     r"GL/": ["viewer/barrido-view", "viewer/osmesa", "tests"],
