@@ -13,13 +13,14 @@ int cheap_phong_varyings(const Illumination& illumination) {
   return 2 * static_cast<int>(illumination.lights.size()) + (ambient ? 3 : 0);
 }
 
-bool power_at_vertices(const Illumination& illumination, CheapPhongPower power, int side) {
-  return power == CheapPhongPower::vertex || illumination.shininess[static_cast<std::size_t>(side)] == 0.0f;
+bool power_at_vertices(const Illumination& illumination, int side) {
+  return illumination.cheap_phong_power == CheapPhongPower::vertex ||
+         illumination.shininess[static_cast<std::size_t>(side)] == 0.0f;
 }
 
-int cheap_phong_vertex_powers(const Illumination& illumination, CheapPhongPower power, int side) {
+int cheap_phong_vertex_powers(const Illumination& illumination, int side) {
   const auto s = static_cast<std::size_t>(side);
-  const bool power_here = power_at_vertices(illumination, power, side);
+  const bool power_here = power_at_vertices(illumination, side);
   int powers = 0;
   for (const IlluminatingLight& light : illumination.lights) {
     powers += light.weakens && light.falloff == SpotFalloff::exponent;
@@ -28,8 +29,8 @@ int cheap_phong_vertex_powers(const Illumination& illumination, CheapPhongPower 
   return powers;
 }
 
-int cheap_phong_fragment_powers(const Illumination& illumination, CheapPhongPower power, int side) {
-  if (power_at_vertices(illumination, power, side)) return 0;
+int cheap_phong_fragment_powers(const Illumination& illumination, int side) {
+  if (power_at_vertices(illumination, side)) return 0;
   int powers = 0;
   for (const IlluminatingLight& light : illumination.lights) {
     powers += light.shines[static_cast<std::size_t>(side)];

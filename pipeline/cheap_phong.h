@@ -18,15 +18,15 @@ int cheap_phong_varyings(const Illumination& illumination);
 
 /// Whether the n-th power is taken at the vertices: because the draw says so, or because n is 0, when it says
 /// no more than whether the light falls on the surface.
-bool power_at_vertices(const Illumination& illumination, CheapPhongPower power, int side);
+bool power_at_vertices(const Illumination& illumination, int side);
 
 /// Evaluations of x^n for one vertex, and for one fragment.
-int cheap_phong_vertex_powers(const Illumination& illumination, CheapPhongPower power, int side);
-int cheap_phong_fragment_powers(const Illumination& illumination, CheapPhongPower power, int side);
+int cheap_phong_vertex_powers(const Illumination& illumination, int side);
+int cheap_phong_fragment_powers(const Illumination& illumination, int side);
 
 /// Evaluates the dot products at every point. `columns` are arrays as those of SurfacePoints, one for each of
 /// cheap_phong_varyings().
-void cheap_phong_dots(const Illumination& illumination, CheapPhongPower power, const SurfacePoints& points,
+void cheap_phong_dots(const Illumination& illumination, const SurfacePoints& points,
                       std::span<float* const> columns);
 
 /// Interpolated dot products of points of one side.
@@ -38,7 +38,6 @@ struct InterpolatedDots {
 };
 
 /// C = base + ambient + Σ (f N·L)⁺ d + [N·L > 0] (f^(1/n) h)^n s. Not clamped.
-void cheap_phong_colors(const Illumination& illumination, CheapPhongPower power, const InterpolatedDots& dots,
-                        const LitColors& out);
+void cheap_phong_colors(const Illumination& illumination, const InterpolatedDots& dots, const LitColors& out);
 
 }  // namespace barrido::pipeline

@@ -67,12 +67,12 @@ void count_vertices(const DrawPlan& plan, std::uint32_t vertices, Frame& frame) 
   const std::uint64_t lights = plan.illumination ? plan.illumination->lights.size() : 0;
   for (int side = 0; side < plan.sides(); ++side) {
     int powers = 0;
-    if (plan.shading == Shading::cheap_phong) {
-      powers = cheap_phong_vertex_powers(*plan.illumination, plan.cheap_phong_power, side);
-    } else if (plan.illumination && is_lit_at_vertices(plan.shading)) {
+    if (plan.origin.makes_vertex_products()) {
+      powers = cheap_phong_vertex_powers(*plan.illumination, side);
+    } else if (plan.illumination && plan.origin.at_vertices) {
       powers = plan.illumination->powers_per_point(side);
     }
-    if (is_lit_at_vertices(plan.shading)) frame.statistics.illuminations_vertex += vertices * lights;
+    if (plan.origin.at_vertices) frame.statistics.illuminations_vertex += vertices * lights;
     frame.powers_before_fragments += vertices * static_cast<std::uint64_t>(powers);
   }
 }

@@ -142,7 +142,6 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
                    FragmentCounters& fragment_counters)
     : point_size(state.point_size),
       line_width(state.line_width),
-      cheap_phong_power(state.cheap_phong_power),
       clamp_colors(state.clamp_colors),
       cull(cull_rule(state)),
       counters(&fragment_counters) {
@@ -154,14 +153,16 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   const bool has_colors = geometry.color.data != nullptr;
   if (state.lighting.enabled) {
     illumination = compile_illumination(state.lighting, has_colors ? nullptr : &geometry.constant_color);
+    illumination->mode = &shading_mode(state.shade_model);
+    illumination->cheap_phong_power = state.cheap_phong_power;
   }
   const Illumination* lit = illumination ? &*illumination : nullptr;
-  shading = choose_shading(state, geometry, lit);
+  origin = color_origin(state, lit != nullptr, has_colors);
   constant_color = constant_colors(geometry.constant_color, clamp_colors);
 
   fragment = fragment_state(state);
   fragment.scissor = scissor_of(state, viewport, frame, topology);
-  fragment.varyings = make_layout(varying_needs(state, geometry, shading, lit));
+  fragment.varyings = make_layout(varying_needs(state, geometry, origin, lit));
   fragment.separate_specular = lit != nullptr && lit->separate_specular;
   fragment.illumination = fragment_illumination(*this);
 
@@ -179,8 +180,8 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
     }
   }
   const bool two_sided = lit != nullptr && lit->two_sided && is_polygonal(geometry.mode);
-  has_back_side = two_sided && cull.keep_back && is_lit_at_vertices(shading);
-  marks_back_faces = two_sided && is_lit_per_fragment(shading);
+  has_back_side = two_sided && cull.keep_back && origin.at_vertices;
+  marks_back_faces = two_sided && origin.at_fragments;
 }
 
 }  // namespace barrido::pipeline

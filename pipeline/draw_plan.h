@@ -50,10 +50,9 @@ struct DrawPlan {
   float point_size = 1.0f;
   float line_width = 1.0f;
 
-  Shading shading = Shading::constant;
+  ColorOrigin origin;
   std::optional<Illumination> illumination;  ///< Empty: lighting is off.
-  CheapPhongPower cheap_phong_power = CheapPhongPower::pixel;
-  raster::FlatColors constant_color{};  ///< Shading::constant
+  raster::FlatColors constant_color{};       ///< Where has_constant_color().
   bool clamp_colors = true;
   bool needs_color = false;   ///< The colour array is read.
   bool needs_normal = false;  ///< Eye normals are made.
@@ -69,6 +68,9 @@ struct DrawPlan {
   CullRule cull;
   FragmentCounters* counters = nullptr;
 
+  bool has_constant_color() const {
+    return !origin.at_vertices && !origin.at_centroid && !origin.at_fragments;
+  }
   int sides() const { return has_back_side ? 2 : 1; }
   int stride() const { return raster::record_stride(fragment.varyings.count); }
 };

@@ -4,13 +4,13 @@ namespace barrido::pipeline {
 
 FlatColorTable::FlatColorTable(const AssemblyInput& input, AssemblyCounts& counts)
     : input_(input), counts_(counts) {
-  if (input.plan.shading == Shading::flat_centroid) centroids_ = std::make_unique<std::array<Centroids, 2>>();
+  if (input.plan.origin.at_centroid) centroids_ = std::make_unique<std::array<Centroids, 2>>();
 }
 
 void FlatColorTable::begin_chunk(raster::PrimitiveChunk& chunk) {
   chunk_ = &chunk;
   last_primitive_ = kNoPrimitive;
-  if (input_.plan.shading == Shading::constant) chunk.flat.push_back(input_.plan.constant_color);
+  if (input_.plan.has_constant_color()) chunk.flat.push_back(input_.plan.constant_color);
 }
 
 void FlatColorTable::end_chunk() {
@@ -21,7 +21,7 @@ void FlatColorTable::end_chunk() {
 
 std::uint32_t FlatColorTable::add(std::uint32_t primitive, bool back) {
   const auto index = static_cast<std::uint32_t>(chunk_->flat.size());
-  if (input_.plan.shading == Shading::flat_provoking) {
+  if (input_.plan.origin.at_vertices) {
     const std::size_t vertex = input_.provoking_vertex(primitive);
     const std::size_t side = back && input_.plan.has_back_side ? input_.vertices.capacity : 0;
     chunk_->flat.push_back(input_.vertices.flat_colors[vertex + side]);

@@ -24,7 +24,7 @@ class FlatColorTable {
   /// Place of a primitive's colours in the chunk's table; the same for all its triangles or edges. `back`:
   /// seen from behind, and lit so.
   std::uint32_t index_of(std::uint32_t primitive, bool back) {
-    if (!is_flat(input_.plan.shading)) return 0;
+    if (!input_.plan.origin.flat) return 0;
     if (primitive == last_primitive_ && back == last_back_) return last_index_;
     return add(primitive, back);
   }
@@ -52,7 +52,8 @@ class FlatColorTable {
   std::uint32_t last_primitive_ = kNoPrimitive;
   bool last_back_ = false;
   std::uint32_t last_index_ = 0;
-  std::unique_ptr<std::array<Centroids, 2>> centroids_;  // front and back; only for flat_centroid
+  std::unique_ptr<std::array<Centroids, 2>>
+      centroids_;  // front and back; only where polygons are lit at them
 };
 
 }  // namespace barrido::pipeline

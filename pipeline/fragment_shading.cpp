@@ -57,17 +57,15 @@ void shade_cheap_phong(const void* parameters, FragmentBatch& batch) {
   }
   const InterpolatedDots dots{
       batch.count, batch.back_facing, {columns.data(), column_count}, arrays<4>(batch, layout.color)};
-  cheap_phong_colors(*plan.illumination, plan.cheap_phong_power, dots, colors_of(batch));
-  count(plan, batch,
-        cheap_phong_fragment_powers(*plan.illumination, plan.cheap_phong_power, side_of(plan, batch)));
+  cheap_phong_colors(*plan.illumination, dots, colors_of(batch));
+  count(plan, batch, cheap_phong_fragment_powers(*plan.illumination, side_of(plan, batch)));
 }
 
 }  // namespace
 
 raster::FragmentIllumination fragment_illumination(const DrawPlan& plan) {
-  if (plan.shading == Shading::phong) return {shade_phong, &plan};
-  if (plan.shading == Shading::cheap_phong) return {shade_cheap_phong, &plan};
-  return {};
+  if (!plan.origin.at_fragments) return {};
+  return {plan.origin.at_vertices ? shade_cheap_phong : shade_phong, &plan};
 }
 
 }  // namespace barrido::pipeline

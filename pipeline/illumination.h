@@ -53,6 +53,8 @@ struct IlluminatingLight {
 
 /// Everything that the evaluation needs.
 struct Illumination {
+  const ShadingMode* mode = &shading_mode(ShadeModel::gouraud);
+  CheapPhongPower cheap_phong_power = CheapPhongPower::pixel;
   SpecularModel specular_model = SpecularModel::blinn;
   bool local_viewer = false;   ///< False also when nothing shines.
   bool needs_position = true;  ///< Some light is near, or the viewer is local.

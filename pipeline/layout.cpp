@@ -30,32 +30,15 @@ constexpr int floats_of(TexcoordKind kind) { return kind == TexcoordKind::plain 
 
 }  // namespace
 
-Shading choose_shading(const State& state, const Geometry& geometry, const Illumination* illumination) {
-  const bool lit = illumination != nullptr;
-  if (!lit && geometry.color.data == nullptr) return Shading::constant;
-  switch (state.shade_model) {
-    case ShadeModel::flat:
-      return state.flat_at == FlatAt::centroid ? Shading::flat_centroid : Shading::flat_provoking;
-    case ShadeModel::cheap_phong:
-      return lit ? Shading::cheap_phong : Shading::per_vertex;
-    case ShadeModel::phong:
-      return lit ? Shading::phong : Shading::per_vertex;
-    case ShadeModel::gouraud:
-      break;
-  }
-  return Shading::per_vertex;
-}
-
-VaryingNeeds varying_needs(const State& state, const Geometry& geometry, Shading shading,
+VaryingNeeds varying_needs(const State& state, const Geometry& geometry, const ColorOrigin& origin,
                            const Illumination* illumination) {
   VaryingNeeds needs;
-  needs.color =
-      shading == Shading::per_vertex || (is_lit_per_fragment(shading) && illumination->tracks_color);
-  needs.specular =
-      shading == Shading::per_vertex && illumination != nullptr && illumination->separate_specular;
-  needs.normal = shading == Shading::phong;
-  needs.eye_position = shading == Shading::phong && illumination->needs_position;
-  needs.dots = shading == Shading::cheap_phong ? cheap_phong_varyings(*illumination) : 0;
+  const bool interpolates_colors = origin.makes_vertex_colors() && !origin.flat;
+  needs.color = interpolates_colors || (origin.at_fragments && illumination->tracks_color);
+  needs.specular = interpolates_colors && illumination != nullptr && illumination->separate_specular;
+  needs.normal = origin.at_fragments && !origin.at_vertices;
+  needs.eye_position = needs.normal && illumination->needs_position;
+  needs.dots = origin.makes_vertex_products() ? cheap_phong_varyings(*illumination) : 0;
   needs.fog = state.fog.enabled;
   for (std::size_t unit = 0; unit < state.texture_units.size(); ++unit) {
     if (state.texture_units[unit].texture != nullptr) {

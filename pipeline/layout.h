@@ -13,29 +13,6 @@
 
 namespace barrido::pipeline {
 
-/// Where the colours of a draw's primitives are made.
-enum class Shading : std::uint8_t {
-  constant,        ///< One colour for the whole draw.
-  per_vertex,      ///< Colours or lit colours of the vertices, interpolated (Gouraud, S4).
-  flat_provoking,  ///< Lit at the vertices; the provoking one's is kept (S1).
-  flat_centroid,   ///< Lit once a polygon, at its centroid (S1).
-  cheap_phong,     ///< Dot products from the vertices, model per fragment (S7).
-  phong,           ///< Normals from the vertices, model per fragment (S6).
-};
-
-constexpr bool is_flat(Shading s) { return s == Shading::flat_provoking || s == Shading::flat_centroid; }
-
-/// Whether the model, or its dot products, are evaluated at the vertices (when lighting is on).
-constexpr bool is_lit_at_vertices(Shading s) {
-  return s == Shading::per_vertex || s == Shading::flat_provoking || s == Shading::cheap_phong;
-}
-
-/// Whether fragments evaluate the illumination model.
-constexpr bool is_lit_per_fragment(Shading s) { return s == Shading::cheap_phong || s == Shading::phong; }
-
-/// `illumination` null: lighting is off.
-Shading choose_shading(const State& state, const Geometry& geometry, const Illumination* illumination);
-
 /// What fragments need from the vertices.
 struct VaryingNeeds {
   bool color = false;
@@ -50,7 +27,8 @@ struct VaryingNeeds {
   bool all_affine = false;        ///< w is 1 everywhere: linear on the screen is right.
 };
 
-VaryingNeeds varying_needs(const State& state, const Geometry& geometry, Shading shading,
+/// `illumination` null: lighting is off.
+VaryingNeeds varying_needs(const State& state, const Geometry& geometry, const ColorOrigin& origin,
                            const Illumination* illumination);
 
 /// Packs the varyings, those linear on the screen first.

@@ -1,27 +1,20 @@
 // Names of the pipeline's enumerations, each with the word of the command line and of stories.
 #pragma once
 
-#include "pipeline/layout.h"
 #include "pipeline/state.h"
 #include "raster/names.h"
 
 namespace barrido {
 
 template <>
-inline constexpr auto kNames<pipeline::ShadeModel> = std::to_array<Named<pipeline::ShadeModel>>(
-    {{pipeline::ShadeModel::flat, "flat"},
-     {pipeline::ShadeModel::gouraud, "gouraud", "Gouraud"},
-     {pipeline::ShadeModel::cheap_phong, "cheap-phong", "cheap Phong"},
-     {pipeline::ShadeModel::phong, "phong", "Phong"}});
-
-template <>
-inline constexpr auto kNames<pipeline::Shading> =
-    std::to_array<Named<pipeline::Shading>>({{pipeline::Shading::constant, "constant"},
-                                             {pipeline::Shading::per_vertex, "gouraud"},
-                                             {pipeline::Shading::flat_provoking, "flat-provoking"},
-                                             {pipeline::Shading::flat_centroid, "flat-centroid"},
-                                             {pipeline::Shading::cheap_phong, "cheap-phong"},
-                                             {pipeline::Shading::phong, "phong"}});
+inline constexpr auto kNames<pipeline::ShadeModel> = [] {
+  std::array<Named<pipeline::ShadeModel>, pipeline::kShadingModeCount> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const pipeline::ShadingMode& mode = pipeline::kShadingModes[i];
+    names[i] = {mode.model, mode.name, mode.words};
+  }
+  return names;
+}();
 
 template <>
 inline constexpr auto kNames<pipeline::FlatAt> = std::to_array<Named<pipeline::FlatAt>>(

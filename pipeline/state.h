@@ -11,13 +11,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "pipeline/shading_modes.h"
 #include "raster/fragments/fragment_state.h"
 
 namespace barrido::pipeline {
-
-/// How the illumination model is spread over a polygon (course S1, S4, S7, S6).
-enum class ShadeModel : std::uint8_t { flat, gouraud, cheap_phong, phong };
-inline constexpr int kShadeModelCount = 4;
 
 /// Where a flat polygon is lit (S1).
 enum class FlatAt : std::uint8_t {

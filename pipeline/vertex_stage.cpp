@@ -39,8 +39,7 @@ void make_dots(const DrawPlan& plan, int side, VertexBatch& batch) {
   std::array<float*, raster::kMaxVaryings> columns;
   const auto count = static_cast<std::size_t>(cheap_phong_varyings(*plan.illumination));
   for (std::size_t i = 0; i < count; ++i) columns[i] = batch.dots[i];
-  cheap_phong_dots(*plan.illumination, plan.cheap_phong_power, surface_points(batch, side),
-                   {columns.data(), count});
+  cheap_phong_dots(*plan.illumination, surface_points(batch, side), {columns.data(), count});
 }
 
 void make_coordinates(const DrawPlan& plan, const Geometry& geometry, std::uint32_t first, VertexBatch& batch,
@@ -105,8 +104,9 @@ TransformedVertices allocate_vertices(const DrawPlan& plan, std::uint32_t first,
   const std::size_t sides = static_cast<std::size_t>(v.capacity) * static_cast<std::size_t>(plan.sides());
   v.positions = memory.allocate<PackedPosition>(v.capacity);
   v.records = memory.allocate<float>(sides * static_cast<std::size_t>(v.stride));
-  if (plan.shading == Shading::flat_provoking) v.flat_colors = memory.allocate<raster::FlatColors>(sides);
-  if (plan.shading == Shading::flat_centroid) v.surfaces = memory.allocate<SurfaceVertex>(v.capacity);
+  if (plan.origin.makes_vertex_colors() && plan.origin.flat)
+    v.flat_colors = memory.allocate<raster::FlatColors>(sides);
+  if (plan.origin.at_centroid) v.surfaces = memory.allocate<SurfaceVertex>(v.capacity);
   return v;
 }
 
@@ -124,19 +124,19 @@ void run_vertex_stage(const DrawPlan& plan, const Geometry& geometry, std::uint3
   place(columns, layout.eye_position, batch.point, 3);
   place(columns, layout.fog, &batch.point[2], 1);
   place(columns, layout.color, batch.color, 4);
-  const int dots = plan.shading == Shading::cheap_phong ? cheap_phong_varyings(*plan.illumination) : 0;
+  const int dots = plan.origin.makes_vertex_products() ? cheap_phong_varyings(*plan.illumination) : 0;
   place(columns, layout.dots, batch.dots, dots);
 
   for (int side = 0; side < plan.sides(); ++side) {
     const std::size_t at = begin + static_cast<std::size_t>(side) * out.capacity;
-    if (plan.shading == Shading::per_vertex || plan.shading == Shading::flat_provoking) {
+    if (plan.origin.makes_vertex_colors()) {
       const BatchArray* colors = make_colors(plan, side, batch);
       place(columns, layout.color, colors, 4);
       place(columns, layout.specular, colors + 4, 3);
       const bool secondary = plan.fragment.separate_specular;
       if (out.flat_colors != nullptr) store_flat_colors(colors, secondary, count, out.flat_colors + at);
     }
-    if (plan.shading == Shading::cheap_phong) make_dots(plan, side, batch);
+    if (plan.origin.makes_vertex_products()) make_dots(plan, side, batch);
     store_records(batch, columns.data(), layout.count, layout.affine_count,
                   out.records + at * static_cast<std::size_t>(out.stride), out.stride);
   }

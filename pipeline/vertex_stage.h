@@ -29,8 +29,8 @@ struct TransformedVertices {
   int stride = 0;
   PackedPosition* positions = nullptr;
   float* records = nullptr;
-  raster::FlatColors* flat_colors = nullptr;  ///< Shading::flat_provoking
-  SurfaceVertex* surfaces = nullptr;          ///< Shading::flat_centroid
+  raster::FlatColors* flat_colors = nullptr;  ///< Where they are flat and lit at vertices.
+  SurfaceVertex* surfaces = nullptr;          ///< Where they are lit at centroids.
 };
 
 /// Room for the vertices first … first + count − 1.

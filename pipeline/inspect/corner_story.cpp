@@ -100,7 +100,7 @@ VertexAgain::VertexAgain(const AssembledDraw& draw, std::uint32_t vertex) : draw
   const pipeline::DrawPlan& plan = *draw.plan;
   out_ = pipeline::allocate_vertices(plan, vertex, 1, memory_);
   out_.surfaces = memory_.allocate<pipeline::SurfaceVertex>(out_.capacity);
-  if (plan.shading == pipeline::Shading::per_vertex || plan.shading == pipeline::Shading::flat_provoking) {
+  if (plan.origin.makes_vertex_colors()) {
     const auto sides = static_cast<std::size_t>(plan.sides());
     out_.flat_colors = memory_.allocate<raster::FlatColors>(sides * out_.capacity);
   }

@@ -29,7 +29,7 @@ std::uint32_t lights_of(const pipeline::DrawPlan& plan) {
 
 std::uint32_t illuminations_of(const CensusFragment& fragment) {
   const pipeline::DrawPlan& plan = *fragment.chunk.draw->plan;
-  return pipeline::is_lit_per_fragment(plan.shading) ? lights_of(plan) : 0;
+  return plan.origin.at_fragments ? lights_of(plan) : 0;
 }
 
 /// Puts evaluations that are not a fragment's into the pixel where they lie.
@@ -89,10 +89,10 @@ void scatter_centroids(const pipeline::AssembledDraw& draw, const raster::Primit
 void scatter_evaluations(const scene::ObservedFrame& frame, Counts& counts, std::uint64_t& outside) {
   Scatter scatter(frame, counts, outside);
   for (const pipeline::AssembledDraw& draw : frame.assembled.draws) {
-    if (draw.plan->illumination && pipeline::is_lit_at_vertices(draw.plan->shading)) {
+    if (draw.plan->illumination && draw.plan->origin.at_vertices) {
       scatter_vertices(draw, scatter);
     }
-    if (draw.plan->shading != pipeline::Shading::flat_centroid || !draw.plan->illumination) continue;
+    if (!draw.plan->origin.at_centroid || !draw.plan->illumination) continue;
     for (const pipeline::AssembledChunk& chunk : draw.chunks) scatter_centroids(draw, *chunk.chunk, scatter);
   }
 }

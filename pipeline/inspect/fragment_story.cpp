@@ -11,7 +11,6 @@ namespace barrido::inspect {
 namespace {
 
 using pipeline::AssembledDraw;
-using pipeline::Shading;
 using raster::kAbsent;
 
 std::string name_at(int index, const auto& list) {
@@ -132,33 +131,28 @@ void tell_illumination(const FragmentContext& context, const FrameChunk& place, 
   const auto at_vertex = [&](std::uint32_t vertex, const std::string& prefix) {
     explain(VertexAgain(draw, vertex).point(story.back_facing), prefix + std::to_string(vertex));
   };
-  switch (draw.plan->shading) {
-    case Shading::constant:
-      return;
-    case Shading::flat_provoking: {
-      const pipeline::AssemblyInput input{*draw.plan, draw.geometry, draw.vertices};
-      return at_vertex(input.provoking_vertex(source) + draw.vertices.first, "provoking vertex ");
-    }
-    case Shading::flat_centroid:
-      return explain(centroid(draw, polygon_vertices(draw, source), story.back_facing), "centroid");
-    case Shading::phong:
-      return explain({varying3(story.trace, layout.eye_position), varying3(story.trace, layout.normal),
-                      varying4(story.trace, layout.color), true, story.trace.back_facing},
-                     "fragment");
-    case Shading::per_vertex:
-    case Shading::cheap_phong:
-      for (const CornerStory& corner : story.corners) at_vertex(corner.vertex, "vertex ");
-      break;
+  const pipeline::ColorOrigin& origin = draw.plan->origin;
+  if (origin.at_centroid) {
+    explain(centroid(draw, polygon_vertices(draw, source), story.back_facing), "centroid");
+  } else if (origin.flat) {
+    const pipeline::AssemblyInput input{*draw.plan, draw.geometry, draw.vertices};
+    at_vertex(input.provoking_vertex(source) + draw.vertices.first, "provoking vertex ");
+  } else if (origin.at_vertices) {
+    for (const CornerStory& corner : story.corners) at_vertex(corner.vertex, "vertex ");
+  } else {
+    explain({varying3(story.trace, layout.eye_position), varying3(story.trace, layout.normal),
+             varying4(story.trace, layout.color), true, story.trace.back_facing},
+            "fragment");
   }
-  if (draw.plan->shading != Shading::cheap_phong) return;
+  if (!origin.makes_vertex_products()) return;
   for (std::size_t k = 0; k < story.corners.size(); ++k) {
-    add_products(model, draw.plan->cheap_phong_power,
-                 VertexAgain(draw, story.corners[k].vertex).point(story.back_facing), story.illuminations[k]);
+    add_products(model, VertexAgain(draw, story.corners[k].vertex).point(story.back_facing),
+                 story.illuminations[k]);
   }
   const std::span<const float> dots(story.trace.varyings.data() + layout.dots,
                                     static_cast<std::size_t>(pipeline::cheap_phong_varyings(model)));
-  story.from_products = explain_products(model, draw.plan->cheap_phong_power, dots,
-                                         varying4(story.trace, layout.color), story.trace.back_facing, names);
+  story.from_products =
+      explain_products(model, dots, varying4(story.trace, layout.color), story.trace.back_facing, names);
 }
 
 }  // namespace
@@ -175,7 +169,7 @@ FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& pl
   story.of_polygon = pipeline::is_polygonal(place.draw->geometry.mode);
   story.clipped = is_clipped(chunk, primitive);
   story.back_facing = faces_back(place, primitive, source);
-  story.shading = place.draw->plan->shading;
+  story.shading = place.draw->plan->origin.name;
   story.corners = tell_corners(context, place, primitive, source);
   for (const raster::reference::UnitTrace& unit : trace.shading.units) {
     story.textures.push_back(tell_texture(context, *place.draw, story, static_cast<std::size_t>(unit.unit)));

@@ -92,9 +92,8 @@ class AtPoint final : public Evaluation {
 
 class FromProducts final : public Evaluation {
  public:
-  FromProducts(pipeline::CheapPhongPower power, std::span<const float> dots, const glm::vec4& color,
-               bool back)
-      : power_(power), back_(back), dots_(dots.size()) {
+  FromProducts(std::span<const float> dots, const glm::vec4& color, bool back)
+      : back_(back), dots_(dots.size()) {
     for (std::size_t i = 0; i < dots.size(); ++i) dots_[i].lane[0] = dots[i];
     for (int c = 0; c < 4; ++c) color_[c].lane[0] = color[c];
   }
@@ -121,11 +120,10 @@ class FromProducts final : public Evaluation {
     dots.columns = columns;
     dots.color = {color_[0].lane, color_[1].lane, color_[2].lane, color_[3].lane};
     ResultColumns result;
-    pipeline::cheap_phong_colors(illumination, power_, dots, result.out());
+    pipeline::cheap_phong_colors(illumination, dots, result.out());
     return result.result();
   }
 
-  pipeline::CheapPhongPower power_;
   bool back_;
   std::vector<Column> dots_;
   Column color_[4];
@@ -164,11 +162,12 @@ Rgb share(const Illumination& whole, int light, Term term, bool unit, const Eval
 /// N·L and N·H or R·V of one light, as they are before clamping and weakening.
 void measure_products(const Illumination& whole, int light, const PointColumns& point, LightStory& story) {
   Illumination one = isolated(whole, light);
+  one.cheap_phong_power = pipeline::CheapPhongPower::pixel;
   one.shininess.fill(1.0f);
   one.lights[0].weakens = false;
   Column columns[2];
   float* const pointers[2] = {columns[0].lane, columns[1].lane};
-  pipeline::cheap_phong_dots(one, pipeline::CheapPhongPower::pixel, point.points, pointers);
+  pipeline::cheap_phong_dots(one, point.points, pointers);
   story.n_dot_l = columns[0].lane[0];
   story.highlight = columns[1].lane[0];
 }
@@ -225,6 +224,7 @@ IlluminationStory begin_story(const Illumination& whole, const LightingNames& na
   story.k_diffuse = property(m.diffuse, both || which == ColorMaterial::diffuse);
   story.k_specular = property(m.specular, which == ColorMaterial::specular);
   story.emission = property(m.emission, which == ColorMaterial::emission);
+  story.formula = whole.mode->formula;
   story.shininess = whole.shininess[side];
   story.ambient_light = rgb(glm::vec3(lighting.ambient));
   for (std::size_t i = 0; i < whole.lights.size(); ++i) {
@@ -280,26 +280,24 @@ IlluminationStory explain_illumination(const Illumination& illumination, const L
   return story;
 }
 
-void add_products(const Illumination& illumination, pipeline::CheapPhongPower power, const LitPoint& point,
-                  IlluminationStory& story) {
+void add_products(const Illumination& illumination, const LitPoint& point, IlluminationStory& story) {
   const PointColumns columns(point);
   std::vector<Column> dots(static_cast<std::size_t>(pipeline::cheap_phong_varyings(illumination)));
   std::vector<float*> pointers;
   for (Column& column : dots) pointers.push_back(column.lane);
-  pipeline::cheap_phong_dots(illumination, power, columns.points, pointers);
+  pipeline::cheap_phong_dots(illumination, columns.points, pointers);
   for (std::size_t i = 0; i < story.lights.size(); ++i) {
     story.lights[i].products = {dots[2 * i].lane[0], dots[2 * i + 1].lane[0]};
   }
 }
 
-IlluminationStory explain_products(const Illumination& illumination, pipeline::CheapPhongPower power,
-                                   std::span<const float> dots, const glm::vec4& color, bool back,
-                                   const LightingNames& names) {
-  const FromProducts evaluate(power, dots, color, back);
+IlluminationStory explain_products(const Illumination& illumination, std::span<const float> dots,
+                                   const glm::vec4& color, bool back, const LightingNames& names) {
+  const FromProducts evaluate(dots, color, back);
   IlluminationStory story = begin_story(illumination, names, back, color);
   story.place = "fragment";
   story.interpolated_products = true;
-  story.highlights_are_powers = pipeline::power_at_vertices(illumination, power, story.back_side ? 1 : 0);
+  story.highlights_are_powers = pipeline::power_at_vertices(illumination, story.back_side ? 1 : 0);
   measure_shares(illumination, evaluate, story);
   const std::size_t lights = illumination.lights.size();
   for (std::size_t i = 0; i < lights; ++i) {

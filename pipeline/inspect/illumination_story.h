@@ -31,13 +31,12 @@ IlluminationStory explain_illumination(const pipeline::Illumination& illuminatio
                                        const LightingNames& names);
 
 /// Fills LightStory::products of a corner's story.
-void add_products(const pipeline::Illumination& illumination, pipeline::CheapPhongPower power,
-                  const LitPoint& point, IlluminationStory& story);
+void add_products(const pipeline::Illumination& illumination, const LitPoint& point,
+                  IlluminationStory& story);
 
 /// The model from interpolated dot products (cheap Phong); `dots` as cheap_phong_dots writes them, one number
 /// a column.
-IlluminationStory explain_products(const pipeline::Illumination& illumination,
-                                   pipeline::CheapPhongPower power, std::span<const float> dots,
+IlluminationStory explain_products(const pipeline::Illumination& illumination, std::span<const float> dots,
                                    const glm::vec4& color, bool back, const LightingNames& names);
 
 }  // namespace barrido::inspect

@@ -140,7 +140,7 @@ void look_at_normals(const scene::ObservedFrame& frame, bool at_provoking, ViewV
   CensusEvents events;
   events.drawn = [&](const CensusFragment& fragment) {
     if (fragment.chunk.origin->backdrop) return;
-    const bool flat = pipeline::is_flat(fragment.chunk.draw->plan->shading);
+    const bool flat = fragment.chunk.draw->plan->origin.flat;
     const Normal n = flat ? normal_of_polygon(fragment, at_provoking) : normal_of_varyings(fragment);
     values.normals[fragment.pixel] = n;
     values.values[fragment.pixel] = n[0];

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -55,6 +56,7 @@ struct IlluminationStory {
   bool interpolated_products =
       false;  ///< Cheap Phong: products come from the vertices, vectors are not known.
   bool highlights_are_powers = false;  ///< Cheap Phong with the power at the vertices.
+  std::string_view formula;            ///< As ShadingMode::formula.
   Rgb k_ambient{}, k_diffuse{}, k_specular{}, emission{};
   float shininess = 0.0f;  ///< n
   Rgb ambient_light{};     ///< I_a
@@ -106,9 +108,9 @@ struct FragmentStory {
   std::uint32_t triangle = 0;  ///< Of the primitive in the file; or its point or line.
   raster::Topology topology = raster::Topology::triangles;  ///< As drawn: wireframes are lines.
   bool of_polygon = true;                                   ///< False: a point or line of the file.
-  bool clipped = false;      ///< What covers the pixel is a piece that clipping left.
-  bool back_facing = false;  ///< Seen from behind.
-  pipeline::Shading shading = pipeline::Shading::constant;
+  bool clipped = false;         ///< What covers the pixel is a piece that clipping left.
+  bool back_facing = false;     ///< Seen from behind.
+  std::string_view shading;     ///< Name of the pipeline::ColorOrigin.
   raster::FragmentState state;  ///< Without textures and illumination function.
   std::vector<TextureStory> textures;
   std::vector<CornerStory> corners;

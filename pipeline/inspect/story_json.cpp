@@ -165,7 +165,7 @@ Json source_json(const FragmentStory& f) {
 
 Json fragment_json(const FragmentStory& f) {
   Json json{{"fate", name_of(f.fate)}, {"source", source_json(f)},     {"drawn_as", name_of(f.topology)},
-            {"clipped", f.clipped},    {"back_facing", f.back_facing}, {"shading", name_of(f.shading)},
+            {"clipped", f.clipped},    {"back_facing", f.back_facing}, {"shading", f.shading},
             {"z", f.trace.depth}};
   json["corners"] = Json::array();
   for (const CornerStory& corner : f.corners) json["corners"].push_back(corner_json(corner));
@@ -202,7 +202,7 @@ std::string story_json(const PixelStory& story) {
             {"source", story.source},
             {"frame", {{"width", story.width}, {"height", story.height}}},
             {"pixel", {{"x", story.x}, {"y", story.y}, {"window_y", story.window_y}}},
-            {"shading", name_of(story.shading)},
+            {"shading", pipeline::shading_mode(story.shading).name},
             {"lighting", name_of(story.lighting)},
             {"format", story.format == raster::ColorFormat::rgba8 ? "rgba8" : "rgba32f"},
             {"clear", {{"color", list(story.clear)}, {"z", story.clear_depth}}}};

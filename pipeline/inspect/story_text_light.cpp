@@ -21,7 +21,11 @@ void tell_formula(const IlluminationStory& story, const std::string& highlight, 
         2, "I = ke + ka·Ia + Σ Ip·(kd·[f·N·L] + ks·[" + power + "]), with [ ] interpolated from the corners");
     return;
   }
-  lines.add(2, "I = ke + ka·Ia + Σ f·Ip·(kd·max(N·L, 0) + ks·(" + highlight + ")^n)");
+  constexpr std::string_view kHighlight = "{highlight}";
+  std::string formula(story.formula);
+  const std::size_t at = formula.find(kHighlight);
+  if (at != std::string::npos) formula.replace(at, kHighlight.size(), highlight);
+  lines.add(2, formula);
 }
 
 void tell_light(const LightStory& light, const IlluminationStory& story, const std::string& highlight,

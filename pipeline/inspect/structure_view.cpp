@@ -49,7 +49,7 @@ void look(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
 /// Settings whose vertices carry normals, whatever the shading.
 scene::RenderSettings with_normals(const scene::RenderSettings& settings) {
   scene::RenderSettings lit = settings;
-  if (settings.shading == pipeline::ShadeModel::flat) {
+  if (pipeline::shading_mode(settings.shading).lit.flat) {
     lit.flat_at = pipeline::FlatAt::centroid;
   } else {
     lit.shading = pipeline::ShadeModel::phong;

@@ -26,11 +26,11 @@ HWY_INLINE V highlight_varying(const IlluminatingLight& light, const Incidence& 
 }
 
 template <bool kTracked>
-void dots_at_points(const Illumination& illumination, CheapPhongPower power, const SurfacePoints& points,
+void dots_at_points(const Illumination& illumination, const SurfacePoints& points,
                     std::span<float* const> columns) {
   const F d;
   const std::size_t side = points.back && illumination.two_sided ? 1 : 0;
-  const bool power_here = power_at_vertices(illumination, power, static_cast<int>(side));
+  const bool power_here = power_at_vertices(illumination, static_cast<int>(side));
   const std::size_t ambient_column = 2 * illumination.lights.size();
   const bool has_ambient = columns.size() > ambient_column;
   for (int i = 0; i < points.count; i += kLanes) {
@@ -66,11 +66,10 @@ HWY_INLINE void add_dots(const Illumination& illumination, const IlluminatingLig
 }
 
 template <bool kTracked>
-void colors_from_dots(const Illumination& illumination, CheapPhongPower power, const InterpolatedDots& dots,
-                      const LitColors& out) {
+void colors_from_dots(const Illumination& illumination, const InterpolatedDots& dots, const LitColors& out) {
   const F d;
   const std::size_t side = dots.back && illumination.two_sided ? 1 : 0;
-  const bool power_here = !power_at_vertices(illumination, power, static_cast<int>(side));
+  const bool power_here = !power_at_vertices(illumination, static_cast<int>(side));
   const std::size_t ambient_column = 2 * illumination.lights.size();
   for (int i = 0; i < dots.count; i += kLanes) {
     Sums sums = start_sums<kTracked>(illumination, dots.color, side, i);
@@ -87,21 +86,20 @@ void colors_from_dots(const Illumination& illumination, CheapPhongPower power, c
   }
 }
 
-void CheapPhongDots(const Illumination& illumination, CheapPhongPower power, const SurfacePoints& points,
+void CheapPhongDots(const Illumination& illumination, const SurfacePoints& points,
                     std::span<float* const> columns) {
   if (illumination.tracks_color) {
-    dots_at_points<true>(illumination, power, points, columns);
+    dots_at_points<true>(illumination, points, columns);
   } else {
-    dots_at_points<false>(illumination, power, points, columns);
+    dots_at_points<false>(illumination, points, columns);
   }
 }
 
-void CheapPhongColors(const Illumination& illumination, CheapPhongPower power, const InterpolatedDots& dots,
-                      const LitColors& out) {
+void CheapPhongColors(const Illumination& illumination, const InterpolatedDots& dots, const LitColors& out) {
   if (illumination.tracks_color) {
-    colors_from_dots<true>(illumination, power, dots, out);
+    colors_from_dots<true>(illumination, dots, out);
   } else {
-    colors_from_dots<false>(illumination, power, dots, out);
+    colors_from_dots<false>(illumination, dots, out);
   }
 }
 
@@ -114,14 +112,14 @@ namespace barrido::pipeline {
 HWY_EXPORT(CheapPhongDots);
 HWY_EXPORT(CheapPhongColors);
 
-void cheap_phong_dots(const Illumination& illumination, CheapPhongPower power, const SurfacePoints& points,
+void cheap_phong_dots(const Illumination& illumination, const SurfacePoints& points,
                       std::span<float* const> columns) {
-  HWY_DYNAMIC_DISPATCH(CheapPhongDots)(illumination, power, points, columns);
+  HWY_DYNAMIC_DISPATCH(CheapPhongDots)(illumination, points, columns);
 }
 
-void cheap_phong_colors(const Illumination& illumination, CheapPhongPower power, const InterpolatedDots& dots,
+void cheap_phong_colors(const Illumination& illumination, const InterpolatedDots& dots,
                         const LitColors& out) {
-  HWY_DYNAMIC_DISPATCH(CheapPhongColors)(illumination, power, dots, out);
+  HWY_DYNAMIC_DISPATCH(CheapPhongColors)(illumination, dots, out);
 }
 
 }  // namespace barrido::pipeline

@@ -111,10 +111,9 @@ CourseCounts& operator+=(CourseCounts& sum, const CourseCounts& counts) {
 
 std::string cost_text(const CostReport& report) {
   std::string text;
-  for (int mode = 0; mode < pipeline::kShadeModelCount; ++mode) {
-    const auto model = static_cast<pipeline::ShadeModel>(mode);
-    const ModeSum sum = sum_of_mode(report, model);
-    if (sum.frames > 0) text += mode_table(model, sum) + "\n";
+  for (const pipeline::ShadingMode& mode : pipeline::kShadingModes) {
+    const ModeSum sum = sum_of_mode(report, mode.model);
+    if (sum.frames > 0) text += mode_table(mode.model, sum) + "\n";
   }
   for (const ModelCost& model : report.models) {
     text += "loaded " + model.path + " in " + fixed(model.load_ms, 2) + " ms\n";

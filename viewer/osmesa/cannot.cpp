@@ -7,8 +7,6 @@
 namespace barrido::osmesa {
 namespace {
 
-using pipeline::ShadeModel;
-
 bool is_textured(const pipeline::State& state) {
   return std::any_of(state.texture_units.begin(), state.texture_units.end(),
                      [](const raster::TextureUnit& unit) { return unit.texture != nullptr; });
@@ -25,8 +23,10 @@ bool is_soft(const pipeline::Light& light) {
 std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state) {
   const pipeline::Lighting& lighting = state.lighting;
   const bool lit = lighting.enabled;
-  const bool at_vertices = lit && state.shade_model <= ShadeModel::gouraud;
-  const bool flat = lit && state.shade_model == ShadeModel::flat;
+  const pipeline::ShadingMode& mode = pipeline::shading_mode(state.shade_model);
+  const bool at_vertices = lit && !mode.lit.at_fragments;
+  const bool flat = lit && mode.lit.flat;
+  const bool is_opengl_model = mode.formula == pipeline::shading_mode(pipeline::ShadeModel::gouraud).formula;
   return {
       {lit && lighting.lights.size() > kGlLights, "lights after the eighth"},
       {lit && has_light(lighting, is_soft), "soft cones of light"},
@@ -34,6 +34,7 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
        "lights with a range"},
       {lit && std::max(lighting.front.shininess, lighting.back.shininess) > kGlLargestExponent,
        "shininess over 128"},
+      {lit && !is_opengl_model, mode.words},
       {at_vertices && lighting.specular_model == pipeline::SpecularModel::phong,
        "R·V highlights at vertices"},
       {flat && state.flat_at == pipeline::FlatAt::centroid, "flat polygons lit at their centroid"},

@@ -187,7 +187,7 @@ std::string program_key(const pipeline::State& state, bool has_colors) {
 }
 
 GLuint make_program(const pipeline::State& state, bool has_vertex_colors) {
-  const bool phong = state.shade_model == pipeline::ShadeModel::phong;
+  const bool phong = !pipeline::shading_mode(state.shade_model).lit.at_vertices;
   const std::string head = definitions(state, has_vertex_colors);
   const GLuint program = gl().CreateProgram();
   attach(program, GL_VERTEX_SHADER,
@@ -211,10 +211,7 @@ Programs::~Programs() {
 }
 
 GLuint Programs::program_of(const pipeline::State& state, bool has_vertex_colors) {
-  using pipeline::ShadeModel;
-  const bool per_pixel =
-      state.shade_model == ShadeModel::phong || state.shade_model == ShadeModel::cheap_phong;
-  if (!state.lighting.enabled || !per_pixel) return 0;
+  if (!state.lighting.enabled || !pipeline::shading_mode(state.shade_model).lit.at_fragments) return 0;
   const auto [slot, is_new] = programs_.try_emplace(program_key(state, has_vertex_colors), 0);
   if (is_new) slot->second = make_program(state, has_vertex_colors);
   return slot->second;

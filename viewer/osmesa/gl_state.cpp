@@ -105,7 +105,7 @@ void set_lighting(const pipeline::State& state) {
   gl().LightModeli(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_sided);
   gl().LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                    lighting.separate_specular ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-  const bool per_vertex = state.shade_model <= pipeline::ShadeModel::gouraud;
+  const bool per_vertex = !pipeline::shading_mode(state.shade_model).lit.at_fragments;
   set_material(GL_FRONT, lighting.front, per_vertex);
   set_material(GL_BACK, lighting.back, per_vertex);
   if (lighting.color_material != pipeline::ColorMaterial::none) {
@@ -117,7 +117,7 @@ void set_lighting(const pipeline::State& state) {
 void set_rasterization(const pipeline::State& state) {
   gl().MatrixMode(GL_MODELVIEW);
   gl().LoadMatrixf(glm::value_ptr(state.eye_from_object));
-  gl().ShadeModel(state.shade_model == pipeline::ShadeModel::flat ? GL_FLAT : GL_SMOOTH);
+  gl().ShadeModel(pipeline::shading_mode(state.shade_model).lit.flat ? GL_FLAT : GL_SMOOTH);
   enable(GL_CULL_FACE, state.cull_face != pipeline::CullFace::none);
   constexpr GLenum kCull[] = {GL_BACK, GL_BACK, GL_FRONT, GL_FRONT_AND_BACK};
   gl().CullFace(constant(kCull, state.cull_face));

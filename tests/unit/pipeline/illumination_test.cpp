@@ -102,14 +102,14 @@ TEST(Illumination, CheapPhongIsTheFullModelWhereNothingIsInterpolated) {
     SCOPED_TRACE("scene " + std::to_string(scene));
     const Lighting lighting = random_lighting(random);
     Points points(random, random.chance(0.5));
-    const Illumination illumination = compile_illumination(lighting, nullptr);
-    const auto power = random.chance(0.5) ? CheapPhongPower::pixel : CheapPhongPower::vertex;
+    Illumination illumination = compile_illumination(lighting, nullptr);
+    if (random.chance(0.5)) illumination.cheap_phong_power = CheapPhongPower::vertex;
     std::vector<float*> columns;
     for (int i = 0; i < cheap_phong_varyings(illumination); ++i) columns.push_back(points.dots[i]);
-    cheap_phong_dots(illumination, power, points.surface(), columns);
+    cheap_phong_dots(illumination, points.surface(), columns);
     const std::vector<const float*> read(columns.begin(), columns.end());
     const SurfacePoints surface = points.surface();
-    cheap_phong_colors(illumination, power, {points.count, points.back, read, surface.color}, points.out());
+    cheap_phong_colors(illumination, {points.count, points.back, read, surface.color}, points.out());
     expect_colors(lighting, points, 2e-4);
     if (::testing::Test::HasFatalFailure()) return;
   }

@@ -43,8 +43,8 @@ struct Case {
       lit = compile_illumination(state.lighting, has_colors ? nullptr : &geometry.constant_color);
     }
     const Illumination* illumination = lit ? &*lit : nullptr;
-    const Shading shading = choose_shading(state, geometry, illumination);
-    return make_layout(varying_needs(state, geometry, shading, illumination));
+    const ColorOrigin origin = color_origin(state, illumination != nullptr, geometry.color.data != nullptr);
+    return make_layout(varying_needs(state, geometry, origin, illumination));
   }
   void light(const glm::vec4& position) {
     state.lighting.enabled = true;

@@ -74,7 +74,7 @@ TEST(Renderer, ViewportBoundsTrianglesAndScissorBoundsBoth) {
 }
 
 TEST(Renderer, AllShadingModesLightAFlatSurfaceAlike) {
-  for (int model = 0; model < kShadeModelCount; ++model) {
+  for (int model = 0; model < static_cast<int>(kShadingModeCount); ++model) {
     for (const FlatAt at : {FlatAt::provoking_vertex, FlatAt::centroid}) {
       Picture picture;
       State state;

@@ -33,7 +33,7 @@ State random_state(Random& random) {
   for (int i = random.below(4); i > 0; --i) state.clip_planes.push_back(random.vec4(-1, 1));
   state.lighting = random_lighting(random);
   state.lighting.enabled = random.chance(0.9);
-  state.shade_model = static_cast<ShadeModel>(random.below(kShadeModelCount));
+  state.shade_model = static_cast<ShadeModel>(random.below(kShadingModeCount));
   state.flat_at = random.chance(0.5) ? FlatAt::centroid : FlatAt::provoking_vertex;
   state.cheap_phong_power = random.chance(0.5) ? CheapPhongPower::pixel : CheapPhongPower::vertex;
   state.color_interpolation =

@@ -232,7 +232,7 @@ TEST(VertexStage, AbsentArraysGiveTheConstants) {
   State state;
   state.texture_units[0].texture = &texture();
   const Drawn drawn(state, geometry);
-  EXPECT_EQ(drawn.plan->shading, Shading::constant);
+  EXPECT_TRUE(drawn.plan->has_constant_color());
   const int offset = drawn.plan->fragment.varyings.texcoord[0];
   EXPECT_EQ(drawn.varying(2, offset), 0.25f);
   EXPECT_EQ(drawn.varying(2, offset + 1), 0.5f);
@@ -271,7 +271,7 @@ TEST(VertexStage, NoNumberThatIsNotFiniteLeaves) {
     state.lighting.front.specular = {1, 1, 1, 1};
     state.lighting.front.shininess = 50.0f;
     state.lighting.color_material = ColorMaterial::ambient_and_diffuse;
-    state.shade_model = static_cast<ShadeModel>(round % kShadeModelCount);
+    state.shade_model = static_cast<ShadeModel>(round % static_cast<int>(kShadingModeCount));
     state.clamp_colors = random.chance(0.5);
     state.fog.enabled = true;
     state.normalize = random.chance(0.5);
