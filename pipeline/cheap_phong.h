@@ -33,8 +33,9 @@ void cheap_phong_dots(const Illumination& illumination, const SurfacePoints& poi
 struct InterpolatedDots {
   int count = 0;
   bool back = false;
-  std::span<const float* const> columns;  ///< As written by cheap_phong_dots.
-  std::array<const float*, 4> color{};    ///< Unused unless Illumination::tracks_color.
+  std::span<const float* const> columns;       ///< As written by cheap_phong_dots.
+  std::array<const float*, 4> color{};         ///< Unused unless Illumination::tracks_color.
+  std::span<const float* const> visibility{};  ///< As SurfacePoints::visibility.
 };
 
 /// C = base + ambient + Σ (f N·L)⁺ d + [N·L > 0] (f^(1/n) h)^n s. Not clamped.

@@ -50,7 +50,7 @@ std::vector<raster::PrimitiveChunk> ChunkWriter::take() {
 
 std::uint32_t ChunkWriter::add_vertex(const ClipVertex& vertex, const ClipCorners& corners) {
   const int stride = input_.vertices.stride;
-  const raster::VaryingLayout& layout = input_.plan.fragment.varyings;
+  const raster::VaryingList& varyings = input_.plan.fragment.varyings;
   std::vector<float>& records = chunk_->own_records;
   const std::size_t at = records.size();
   records.resize(at + static_cast<std::size_t>(stride), 0.0f);
@@ -58,8 +58,8 @@ std::uint32_t ChunkWriter::add_vertex(const ClipVertex& vertex, const ClipCorner
   const auto q = static_cast<float>(1.0 / vertex.w);
   record[raster::kRecordDepth] = window_depth(input_.plan.transform, vertex);
   record[raster::kRecordQ] = q;
-  for (int i = 0; i < layout.count; ++i) {
-    const bool affine = i < layout.affine_count;
+  for (int i = 0; i < varyings.count; ++i) {
+    const bool affine = i < varyings.affine_count;
     double value = 0.0;
     for (int c = 0; c < corners.count; ++c) {
       const auto corner = static_cast<std::size_t>(c);

@@ -1,23 +1,34 @@
-// The page that shows the flow of one draw:
+// The page that shows how a frame is made:
 //
-//   geometry ──▶ vertex stage ──▶ assembly: cull, clip ──▶ bin ──▶ submit
-//   (object)     (eye, clip, window)  (triangles in the window)    (tiles, in drawing order)
+//   State, Geometry ──▶ DrawPlan            the state compiled once: light, varyings, the stages of a
+//   fragment
+//        │                                  (draw_plan.cpp)
+//        ▼
+//   vertices ──▶ transform, light ──▶       one record a vertex: window position, depth, 1/w, varyings
+//        │                                  (vertex_stage.cpp)
+//        ▼
+//   primitives ──▶ cull, clip ──▶           chunks of triangles, lines, points in the window (assembly.cpp)
+//        │
+//        ▼
+//   bin ──▶ submit                          which chunks touch which tile (raster/tiles/binning.cpp)
+//        │   draw() ends here; finish() goes on, each tile on one thread (raster/rasterizer.cpp):
+//        ▼
+//   tile: visible spans ──▶ fragments ──▶   raster/kernels/tile_raster.cpp, span_shader-inl.h
+//         stages: light, textures, fog ──▶  raster/shade_batch.cpp
+//         alpha test, blending ──▶          raster/kernels/write.cpp
+//         resolve ──▶ the framebuffer       raster/kernels/resolve.cpp, tile_memory.cpp
 //
 // Vertices are worked on in batches and primitives in runs, both of fixed size, by any number of threads;
 // runs are submitted in order. So nothing that is drawn depends on the number of threads.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <tbb/parallel_for.h>
 
-#include "pipeline/assembled_frame.h"
-#include "pipeline/assembly.h"
-#include "pipeline/frame.h"
+#include "pipeline/draw_ledger.h"
 #include "pipeline/index_range.h"
 #include "pipeline/vertex_stage.h"
-#include "raster/tiles/binning.h"
 
 namespace barrido::pipeline {
 namespace {
@@ -42,90 +53,54 @@ IndexRange vertices_used(const Geometry& geometry) {
   return range;
 }
 
-/// A run of primitives on its way to the rasterizer.
-struct Run {
-  std::vector<std::unique_ptr<raster::BinnedChunk>> chunks;
-  std::vector<std::vector<std::uint32_t>> sources;
-  AssemblyCounts counts;
-};
-
-Run assemble_and_bin(const Frame& frame, const AssemblyInput& input, std::uint32_t first,
-                     std::uint32_t count) {
-  raster::StageClock clock(frame.profile, raster::Stage::assembly);
-  Assembled assembled = assemble(input, first, count);
-  clock.stop();
-  Run run;
-  run.counts = assembled.counts;
-  run.sources = std::move(assembled.sources);
-  for (raster::PrimitiveChunk& chunk : assembled.chunks)
-    run.chunks.push_back(frame.rasterizer.bin(std::move(chunk)));
-  return run;
-}
-
-void count_vertices(const DrawPlan& plan, std::uint32_t vertices, Frame& frame) {
-  frame.statistics.vertices += vertices;
-  const std::uint64_t lights = plan.illumination ? plan.illumination->lights.size() : 0;
-  for (int side = 0; side < plan.sides(); ++side) {
-    int powers = 0;
-    if (plan.origin.makes_vertex_products()) {
-      powers = cheap_phong_vertex_powers(*plan.illumination, side);
-    } else if (plan.illumination && plan.origin.at_vertices) {
-      powers = plan.illumination->powers_per_point(side);
-    }
-    if (plan.origin.at_vertices) frame.statistics.illuminations_vertex += vertices * lights;
-    frame.powers_before_fragments += vertices * static_cast<std::uint64_t>(powers);
-  }
-}
-
-void count_primitives(const AssemblyCounts& counts, Frame& frame) {
-  Statistics& statistics = frame.statistics;
-  statistics.primitives_in += counts.primitives;
-  statistics.primitives_culled += counts.culled;
-  statistics.primitives_clipped += counts.clipped;
-  statistics.illuminations_vertex += counts.illuminations;
-  frame.powers_before_fragments += counts.powers;
-}
-
-/// Before the run is submitted.
-void remember(const Run& run, AssembledDraw& draw) {
-  for (std::size_t i = 0; i < run.chunks.size(); ++i) {
-    draw.chunks.push_back({&run.chunks[i]->chunk(), run.sources[i]});
-  }
-}
-
-}  // namespace
-
-void draw(Frame& frame, const State& state, const Geometry& geometry) {
-  const DrawPlan& plan = frame.plans.emplace_back(state, geometry, frame.size, frame.fragment_counters);
-  AssembledDraw* record = nullptr;
-  if (frame.record != nullptr) record = &frame.record->draws.emplace_back();
-  if (record != nullptr) *record = {&plan, state, geometry, {}, {}};
-  if (geometry.vertex_count == 0 && geometry.indices.empty()) return;
+TransformedVertices transform_vertices(Frame& frame, const DrawPlan& plan, const Geometry& geometry) {
   const IndexRange used = vertices_used(geometry);
-  ++frame.statistics.draws;
-
-  // Vertices.
   const TransformedVertices vertices =
       allocate_vertices(plan, used.smallest, used.largest - used.smallest + 1, frame.memory);
   for_each_piece(vertices.count, kVertexBatch, [&](std::uint32_t begin, std::uint32_t count) {
     const raster::StageClock clock(frame.profile, raster::Stage::vertices);
     run_vertex_stage(plan, geometry, begin, static_cast<int>(count), vertices);
   });
-  count_vertices(plan, vertices.count, frame);
-  if (record != nullptr) record->vertices = vertices;
+  return vertices;
+}
 
-  // Primitives.
-  const AssemblyInput input{plan, geometry, vertices, record != nullptr};
+Run assemble_and_bin(const Frame& frame, const AssemblyInput& input, std::uint32_t first,
+                     std::uint32_t count) {
+  raster::StageClock clock(frame.profile, raster::Stage::assembly);
+  Assembled assembled = assemble(input, first, count);
+  clock.stop();
+  Run run{{}, std::move(assembled.sources), assembled.counts};
+  for (raster::PrimitiveChunk& chunk : assembled.chunks)
+    run.chunks.push_back(frame.rasterizer.bin(std::move(chunk)));
+  return run;
+}
+
+std::vector<Run> assemble_runs(const Frame& frame, const AssemblyInput& input) {
   const std::uint32_t units = unit_count(input);
   std::vector<Run> runs(units / kAssemblyUnits + 1);
   for_each_piece(units, kAssemblyUnits, [&](std::uint32_t first, std::uint32_t count) {
     runs[first / kAssemblyUnits] = assemble_and_bin(frame, input, first, count);
   });
-  for (Run& run : runs) {
-    if (record != nullptr) remember(run, *record);
+  return runs;
+}
+
+}  // namespace
+
+void draw(Frame& frame, const State& state, const Geometry& geometry) {
+  const DrawPlan& plan = frame.plans.emplace_back(state, geometry, frame.size, frame.fragment_counters);
+  DrawLedger ledger(frame, plan, state, geometry);
+  if (geometry.vertex_count == 0 && geometry.indices.empty()) return;
+  const TransformedVertices vertices = transform_vertices(frame, plan, geometry);
+  ledger.add(vertices);
+  for (Run& run : assemble_runs(frame, {plan, geometry, vertices, ledger.wants_sources()})) {
+    ledger.add(run);
     for (auto& chunk : run.chunks) frame.rasterizer.submit(std::move(chunk));
-    count_primitives(run.counts, frame);
   }
+}
+
+void finish(Frame& frame) {
+  frame.rasterizer.flush();  // every tile, from visibility to the framebuffer
+  frame.release_draws();
 }
 
 }  // namespace barrido::pipeline

@@ -108,11 +108,10 @@ VertexTransform vertex_transform(const State& state, const Geometry& geometry, c
   return t;
 }
 
-TexcoordPlan texcoord_plan(const TextureCoordinates& rules, std::size_t unit,
-                           const raster::VaryingLayout& layout) {
+TexcoordPlan texcoord_plan(const TextureCoordinates& rules, raster::TexcoordKind kind) {
   TexcoordPlan plan;
-  plan.offset = layout.texcoord[unit];
-  plan.kind = layout.texcoord_kind[unit];
+  plan.is_on = true;
+  plan.kind = kind;
   plan.rules = rules;
   plan.rules.matrix = bounded(glm::dmat4(rules.matrix));
   bool generated = false;
@@ -123,7 +122,7 @@ TexcoordPlan texcoord_plan(const TextureCoordinates& rules, std::size_t unit,
   }
   plan.as_given = !generated && rules.matrix == glm::mat4(1.0f);
   if (plan.as_given && plan.kind != raster::TexcoordKind::projective) {
-    plan.given_components = plan.kind == raster::TexcoordKind::cube ? 3 : 2;
+    plan.given_components = floats_of(plan.kind);
   }
   return plan;
 }
@@ -162,18 +161,17 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
 
   fragment = fragment_state(state);
   fragment.scissor = scissor_of(state, viewport, frame, topology);
-  fragment.varyings = make_layout(varying_needs(state, geometry, origin, lit));
   fragment.separate_specular = lit != nullptr && lit->separate_specular;
-  fragment.illumination = fragment_illumination(*this);
+  plan_texcoords(state, geometry);
+  plan_stages();
+  fragment.varyings = lay_out(state, geometry, fragment.stages);
 
   needs_normal = lit != nullptr;
   needs_point = (lit != nullptr && lit->needs_position) || state.fog.enabled;
   needs_color = lit != nullptr ? lit->tracks_color : has_colors;
-  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
-    texcoords[unit] = texcoord_plan(state.texture_coordinates[unit], unit, fragment.varyings);
-    if (texcoords[unit].offset == raster::kAbsent) continue;
-    for (const TexGenCoordinate& c : texcoords[unit].rules.generation) {
-      if (!c.enabled) continue;
+  for (const TexcoordPlan& texcoord : texcoords) {
+    for (const TexGenCoordinate& c : texcoord.rules.generation) {
+      if (!texcoord.is_on || !c.enabled) continue;
       needs_eye |= c.mode == TexGenMode::eye_linear;
       needs_point |= c.mode == TexGenMode::sphere_map || c.mode == TexGenMode::reflection_map;
       needs_normal |= c.mode >= TexGenMode::sphere_map;
@@ -182,6 +180,27 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   const bool two_sided = lit != nullptr && lit->two_sided && is_polygonal(geometry.mode);
   has_back_side = two_sided && cull.keep_back && origin.at_vertices;
   marks_back_faces = two_sided && origin.at_fragments;
+}
+
+void DrawPlan::plan_texcoords(const State& state, const Geometry& geometry) {
+  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
+    const raster::TextureUnit& u = state.texture_units[unit];
+    if (u.texture == nullptr && u.procedure == nullptr) continue;
+    texcoords[unit] = texcoord_plan(state.texture_coordinates[unit], texcoord_kind(state, geometry, unit));
+  }
+}
+
+/// The journey of the draw's fragments. What changes a normal or weakens a light comes before the light.
+void DrawPlan::plan_stages() {
+  std::vector<raster::FragmentStage> before_colors;
+  if (origin.at_fragments) before_colors.push_back(light_stage(*this));
+  raster::StageInputs inputs;
+  inputs.color = origin.makes_vertex_colors() && !origin.flat;
+  inputs.specular = inputs.color && fragment.separate_specular;
+  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
+    if (texcoords[unit].is_on) inputs.coordinates[unit] = floats_of(texcoords[unit].kind);
+  }
+  fragment.stages = raster::make_stages(fragment, before_colors, inputs);
 }
 
 }  // namespace barrido::pipeline

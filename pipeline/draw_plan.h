@@ -29,9 +29,9 @@ struct CullRule {
   bool front_is_counter_clockwise = true;
 };
 
-/// A unit's coordinates: where they go, and how they are made.
+/// A unit's coordinates: how they are made.
 struct TexcoordPlan {
-  int offset = raster::kAbsent;  ///< First varying, or kAbsent: the unit is off.
+  bool is_on = false;
   raster::TexcoordKind kind = raster::TexcoordKind::plain;
   bool as_given = true;      ///< Neither generation nor matrix: straight from the array.
   int given_components = 4;  ///< How many have to be read from the array.
@@ -73,6 +73,10 @@ struct DrawPlan {
   }
   int sides() const { return has_back_side ? 2 : 1; }
   int stride() const { return raster::record_stride(fragment.varyings.count); }
+
+ private:
+  void plan_texcoords(const State& state, const Geometry& geometry);
+  void plan_stages();
 };
 
 }  // namespace barrido::pipeline

@@ -25,10 +25,16 @@ struct Frame {
   FragmentCounters fragment_counters;
   std::uint64_t powers_before_fragments = 0;
   Statistics statistics;
-  AssembledFrame* record = nullptr;  ///< Where draws are remembered, or null.
+  AssembledFrame* kept = nullptr;  ///< Where draws are remembered, or null.
+
+  /// Once the rasterizer holds nothing any more that points to the draws.
+  void release_draws();
 };
 
 /// One draw, from object space to the rasterizer's queue. See Renderer::draw.
 void draw(Frame& frame, const State& state, const Geometry& geometry);
+
+/// All draws, from the queue to the framebuffer. See Renderer::finish.
+void finish(Frame& frame);
 
 }  // namespace barrido::pipeline

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -85,6 +86,8 @@ struct SurfacePoints {
   std::array<const float*, 4> color{};     ///< Unused unless Illumination::tracks_color.
   bool normalize = false;                  ///< Bring normals to unit length first.
   bool back = false;                       ///< Seen from behind: with two_sided, −N and the back material.
+  /// An array a light: the share of its diffuse and specular light that arrives. Empty: all of it.
+  std::span<const float* const> visibility{};
 };
 
 /// Where the colours go; not clamped. Arrays as those of SurfacePoints.
@@ -95,7 +98,8 @@ struct LitColors {
 
 /// Evaluates the model at every point:
 /// C = base + Σ f_i (a_i + (N·L_i)⁺ d_i + [N·L_i > 0] h_i^n s_i), with h = N·H (blinn) or R·V (phong), f the
-/// light's weakening and a, d, s its products with the material (OpenGL 1.3, eq. 2.4; L3, L5).
+/// light's weakening (times its visibility for d and s) and a, d, s its products with the material
+/// (OpenGL 1.3, eq. 2.4; L3, L5).
 void illuminate(const Illumination& illumination, const SurfacePoints& points, const LitColors& out);
 
 }  // namespace barrido::pipeline

@@ -1,11 +1,13 @@
 #include "pipeline/layout.h"
 
-#include "pipeline/cheap_phong.h"
+#include <array>
 
 namespace barrido::pipeline {
 namespace {
 
+using raster::Meaning;
 using raster::TexcoordKind;
+using raster::Varying;
 
 /// Row 3 of the matrix is (0, 0, 0, 1).
 bool keeps_w(const glm::mat4& m) {
@@ -18,67 +20,64 @@ bool may_need_division(const TextureCoordinates& coordinates, const Attribute& a
   return array.data != nullptr ? array.components == 4 : constant.w != 1.0f;
 }
 
+/// Whether the state asks for the meaning to be linear on the screen.
+bool is_affine(const State& state, Meaning meaning) {
+  if (meaning == Meaning::texcoord) return state.texture_interpolation == TextureInterpolation::affine;
+  return meaning < Meaning::texcoord && state.color_interpolation == ColorInterpolation::screen;
+}
+
+/// Whatever the stages read of a meaning, once; in the order of the units.
+template <class Visit>
+void for_each_read(std::span<const raster::FragmentStage> stages, Meaning meaning, const Visit& visit) {
+  for (int unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
+    Varying found{meaning, 0, unit};
+    for (const raster::FragmentStage& stage : stages) {
+      for (const Varying& read : stage.reads) {
+        if (read.meaning == meaning && read.unit == unit && read.floats > found.floats) found = read;
+      }
+    }
+    if (found.floats > 0) visit(found);
+  }
+}
+
+}  // namespace
+
+ColorOrigin color_origin(const State& state, bool lit, bool has_colors) {
+  if (!lit && !has_colors) return kConstantColor;
+  const ShadingMode& mode = shading_mode(state.shade_model);
+  const ColorOrigin& origin = lit ? mode.lit : mode.unlit;
+  return origin.at_centroid && state.flat_at == FlatAt::provoking_vertex ? kColorOfProvokingVertex : origin;
+}
+
 TexcoordKind texcoord_kind(const State& state, const Geometry& geometry, std::size_t unit) {
-  if (state.texture_units[unit].texture->is_cube()) return TexcoordKind::cube;
+  const raster::TextureUnit& u = state.texture_units[unit];
+  if (u.procedure != nullptr)
+    return u.procedure->coordinates == 2 ? TexcoordKind::plain : TexcoordKind::direct;
+  if (u.texture->is_cube()) return TexcoordKind::direct;
   return may_need_division(state.texture_coordinates[unit], geometry.texcoord[unit],
                            geometry.constant_texcoord[unit])
              ? TexcoordKind::projective
              : TexcoordKind::plain;
 }
 
-constexpr int floats_of(TexcoordKind kind) { return kind == TexcoordKind::plain ? 2 : 3; }
-
-}  // namespace
-
-VaryingNeeds varying_needs(const State& state, const Geometry& geometry, const ColorOrigin& origin,
-                           const Illumination* illumination) {
-  VaryingNeeds needs;
-  const bool interpolates_colors = origin.makes_vertex_colors() && !origin.flat;
-  needs.color = interpolates_colors || (origin.at_fragments && illumination->tracks_color);
-  needs.specular = interpolates_colors && illumination != nullptr && illumination->separate_specular;
-  needs.normal = origin.at_fragments && !origin.at_vertices;
-  needs.eye_position = needs.normal && illumination->needs_position;
-  needs.dots = origin.makes_vertex_products() ? cheap_phong_varyings(*illumination) : 0;
-  needs.fog = state.fog.enabled;
-  for (std::size_t unit = 0; unit < state.texture_units.size(); ++unit) {
-    if (state.texture_units[unit].texture != nullptr) {
-      needs.texcoord[unit] = texcoord_kind(state, geometry, unit);
+raster::VaryingList lay_out(const State& state, const Geometry& geometry,
+                            std::span<const raster::FragmentStage> stages) {
+  raster::VaryingList list;
+  const auto add_all = [&](bool affine) {
+    for (std::size_t m = 0; m < raster::kMeaningCount; ++m) {
+      const auto meaning = static_cast<Meaning>(m);
+      if (is_affine(state, meaning) != affine) continue;
+      for_each_read(stages, meaning, [&](const Varying& varying) { list.add(varying); });
     }
+  };
+  add_all(true);
+  list.affine_count = list.count;
+  add_all(false);
+  if (has_unit_w(state, geometry)) list.affine_count = list.count;  // then linear on the screen is right
+  for (const raster::FragmentStage& stage : stages) {
+    if (stage.makes.floats > 0) list.add_computed(stage.makes);
   }
-  needs.colors_affine = state.color_interpolation == ColorInterpolation::screen;
-  needs.texcoords_affine = state.texture_interpolation == TextureInterpolation::affine;
-  needs.all_affine = has_unit_w(state, geometry);
-  return needs;
-}
-
-raster::VaryingLayout make_layout(const VaryingNeeds& needs) {
-  raster::VaryingLayout layout;
-  const auto place = [&layout](int& offset, int floats) {
-    if (floats > 0) offset = layout.count;
-    layout.count += floats;
-  };
-  const auto place_colors = [&] {
-    place(layout.color, needs.color ? 4 : 0);
-    place(layout.specular, needs.specular ? 3 : 0);
-    place(layout.normal, needs.normal ? 3 : 0);
-    place(layout.eye_position, needs.eye_position ? 3 : 0);
-    place(layout.dots, needs.dots);
-  };
-  const auto place_texcoords = [&] {
-    for (std::size_t unit = 0; unit < needs.texcoord.size(); ++unit) {
-      if (!needs.texcoord[unit]) continue;
-      layout.texcoord_kind[unit] = *needs.texcoord[unit];
-      place(layout.texcoord[unit], floats_of(*needs.texcoord[unit]));
-    }
-  };
-  if (needs.colors_affine) place_colors();
-  if (needs.texcoords_affine) place_texcoords();
-  layout.affine_count = layout.count;
-  if (!needs.colors_affine) place_colors();
-  if (!needs.texcoords_affine) place_texcoords();
-  place(layout.fog, needs.fog ? 1 : 0);
-  if (needs.all_affine) layout.affine_count = layout.count;
-  return layout;
+  return list;
 }
 
 bool has_unit_w(const State& state, const Geometry& geometry) {

@@ -10,28 +10,28 @@ struct Renderer::Implementation {
   Frame frame;
 
   Implementation(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options,
-                 AssembledFrame* record)
+                 AssembledFrame* kept)
       : frame(framebuffer, options) {
-    frame.record = record;
-  }
-
-  /// The rasterizer holds nothing any more that points to the draws.
-  void release_draws() {
-    frame.plans.clear();
-    frame.memory.reset();
-    if (frame.record != nullptr) frame.record->draws.clear();
+    frame.kept = kept;
   }
 };
 
+void Frame::release_draws() {
+  plans.clear();
+  memory.reset();
+  if (kept != nullptr) kept->draws.clear();
+}
+
 Renderer::Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options,
-                   AssembledFrame* record)
-    : implementation_(std::make_unique<Implementation>(framebuffer, options, record)) {}
+                   AssembledFrame* kept)
+    : implementation_(std::make_unique<Implementation>(framebuffer, options, kept)) {}
 Renderer::~Renderer() = default;
 
 void Renderer::clear(const raster::ClearValues& values) {
-  implementation_->frame.rasterizer.clear(values);
-  implementation_->release_draws();
-  if (implementation_->frame.record != nullptr) implementation_->frame.record->clear = values;
+  Frame& frame = implementation_->frame;
+  frame.rasterizer.clear(values);
+  frame.release_draws();
+  if (frame.kept != nullptr) frame.kept->clear = values;
 }
 
 void Renderer::draw(const State& state, const Geometry& geometry) {
@@ -40,8 +40,7 @@ void Renderer::draw(const State& state, const Geometry& geometry) {
 
 void Renderer::finish() {
   Frame& frame = implementation_->frame;
-  frame.rasterizer.flush();
-  implementation_->release_draws();
+  pipeline::finish(frame);
   Statistics& statistics = frame.statistics;
   statistics.raster = frame.rasterizer.statistics();
   statistics.interpolations = statistics.raster.interpolations;

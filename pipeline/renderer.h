@@ -34,10 +34,10 @@ struct AssembledFrame;
 
 class Renderer {
  public:
-  /// The framebuffer must outlive the renderer, and so must `record`, in which draws are remembered as they
+  /// The framebuffer must outlive the renderer, and so must `kept`, in which draws are remembered as they
   /// go to the rasterizer; null: none are. See pipeline/assembled_frame.h.
   explicit Renderer(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options = {},
-                    AssembledFrame* record = nullptr);
+                    AssembledFrame* kept = nullptr);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;

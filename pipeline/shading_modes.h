@@ -41,18 +41,69 @@ struct ShadingMode {
   std::string_view formula;
 };
 
+/// What modes come to.
+inline constexpr ColorOrigin kConstantColor{.name = "constant"};
+inline constexpr ColorOrigin kColorsOfVertices{.name = "gouraud", .at_vertices = true};
+inline constexpr ColorOrigin kColorOfProvokingVertex{
+    .name = "flat-provoking", .flat = true, .at_vertices = true};
+inline constexpr ColorOrigin kColorAtCentroid{.name = "flat-centroid", .flat = true, .at_centroid = true};
+
+/// OpenGL's model with the course's choices.
+inline constexpr std::string_view kCourseModel =
+    "I = ke + ka·Ia + Σ f·Ip·(kd·max(N·L, 0) + ks·({highlight})^n)";
+
 inline constexpr std::size_t kShadingModeCount = 4;
 
 /// In the order of ShadeModel.
-extern const std::array<ShadingMode, kShadingModeCount> kShadingModes;
+inline constexpr std::array<ShadingMode, kShadingModeCount> kShadingModes{{
+    {.model = ShadeModel::flat,
+     .name = "flat",
+     .words = "flat",
+     .lit = kColorAtCentroid,
+     .unlit = kColorAtCentroid,
+     .interpolated = "nothing",
+     .at_vertices = "nothing; with --flat-at provoking the model",
+     .at_polygon = "the model, at the centroid",
+     .at_fragments = "nothing",
+     .cost = "one illumination a light and polygon",
+     .formula = kCourseModel},
+    {.model = ShadeModel::gouraud,
+     .name = "gouraud",
+     .words = "Gouraud",
+     .lit = kColorsOfVertices,
+     .unlit = kColorsOfVertices,
+     .interpolated = "the lit colour (4, and 3 where highlights are added after the textures)",
+     .at_vertices = "the model",
+     .at_polygon = "nothing",
+     .at_fragments = "nothing",
+     .cost = "one illumination a light and vertex; 4 to 7 additions a pixel",
+     .formula = kCourseModel},
+    {.model = ShadeModel::cheap_phong,
+     .name = "cheap-phong",
+     .words = "cheap Phong",
+     .lit = {.name = "cheap-phong", .at_vertices = true, .at_fragments = true},
+     .unlit = kColorsOfVertices,
+     .interpolated = "two dot products a light (2 each, and 3 of ambient where lights weaken)",
+     .at_vertices = "N·L and N·H or R·V of each light",
+     .at_polygon = "nothing",
+     .at_fragments = "the model from the interpolated products",
+     .cost = "two additions and one power a light and pixel, no square root",
+     .formula = kCourseModel},
+    {.model = ShadeModel::phong,
+     .name = "phong",
+     .words = "Phong",
+     .lit = {.name = "phong", .at_fragments = true},
+     .unlit = kColorsOfVertices,
+     .interpolated = "the normal (3; and 3 of position with near lights or a near viewer)",
+     .at_vertices = "nothing",
+     .at_polygon = "nothing",
+     .at_fragments = "the model, with the normal brought to unit length",
+     .cost = "3 to 6 additions, a square root and one illumination a light and pixel",
+     .formula = kCourseModel},
+}};
 
-inline const ShadingMode& shading_mode(ShadeModel model) {
+constexpr const ShadingMode& shading_mode(ShadeModel model) {
   return kShadingModes[static_cast<std::size_t>(model)];
 }
-
-struct State;
-
-/// `lit`: lighting is on. `has_colors`: the vertices have colours of their own.
-ColorOrigin color_origin(const State& state, bool lit, bool has_colors);
 
 }  // namespace barrido::pipeline

@@ -3,14 +3,26 @@
 namespace barrido::pipeline {
 namespace {
 
-using raster::kAbsent;
-using Columns = std::array<const float*, raster::kMaxVaryings>;
+using raster::Meaning;
 
-void place(Columns& columns, int offset, const BatchArray* arrays, int count) {
-  for (int i = 0; offset != kAbsent && i < count; ++i) {
-    columns[static_cast<std::size_t>(offset + i)] = arrays[i];
+/// Where each varying's array stands.
+class Columns {
+ public:
+  explicit Columns(const raster::VaryingList& varyings) : varyings_(varyings) {}
+
+  /// Takes as many arrays as the meaning has varyings; none where it has none.
+  void place(Meaning meaning, const BatchArray* arrays, int unit = 0) {
+    for (int i = 0; i < varyings_.floats(meaning, unit); ++i) set(meaning, i, arrays[i], unit);
   }
-}
+  void set(Meaning meaning, int which, const float* array, int unit = 0) {
+    columns_[static_cast<std::size_t>(varyings_.at(meaning, unit) + which)] = array;
+  }
+  const float* const* data() const { return columns_.data(); }
+
+ private:
+  const raster::VaryingList& varyings_;
+  std::array<const float*, raster::kMaxVaryings> columns_{};
+};
 
 SurfacePoints surface_points(const VertexBatch& batch, int side) {
   SurfacePoints points;
@@ -37,7 +49,7 @@ BatchArray* make_colors(const DrawPlan& plan, int side, VertexBatch& batch) {
 
 void make_dots(const DrawPlan& plan, int side, VertexBatch& batch) {
   std::array<float*, raster::kMaxVaryings> columns;
-  const auto count = static_cast<std::size_t>(cheap_phong_varyings(*plan.illumination));
+  const auto count = static_cast<std::size_t>(plan.fragment.varyings.floats(Meaning::dots));
   for (std::size_t i = 0; i < count; ++i) columns[i] = batch.dots[i];
   cheap_phong_dots(*plan.illumination, surface_points(batch, side), {columns.data(), count});
 }
@@ -46,15 +58,15 @@ void make_coordinates(const DrawPlan& plan, const Geometry& geometry, std::uint3
                       Columns& columns) {
   for (std::size_t unit = 0; unit < plan.texcoords.size(); ++unit) {
     const TexcoordPlan& texcoord = plan.texcoords[unit];
-    if (texcoord.offset == kAbsent) continue;
+    if (!texcoord.is_on) continue;
     BatchArray* coordinate = batch.coordinate[unit];
     fetch_attribute(geometry.texcoord[unit], geometry.constant_texcoord[unit], first, batch.count,
                     texcoord.given_components, true, coordinate);
     if (!texcoord.as_given) generate_coordinates(texcoord.rules, batch, coordinate);
-    const bool plain = texcoord.kind == raster::TexcoordKind::plain;
-    place(columns, texcoord.offset, coordinate, plain ? 2 : 3);
+    const int number = static_cast<int>(unit);
+    columns.place(Meaning::texcoord, coordinate, number);
     if (texcoord.kind == raster::TexcoordKind::projective) {
-      columns[static_cast<std::size_t>(texcoord.offset + 2)] = coordinate[3];
+      columns.set(Meaning::texcoord, 2, coordinate[3], number);
     }
   }
 }
@@ -117,27 +129,26 @@ void run_vertex_stage(const DrawPlan& plan, const Geometry& geometry, std::uint3
   const std::uint32_t first = out.first + begin;
   fetch_and_transform(plan, geometry, first, batch, out.positions + begin);
 
-  const raster::VaryingLayout& layout = plan.fragment.varyings;
-  Columns columns{};
+  const raster::VaryingList& varyings = plan.fragment.varyings;
+  Columns columns(varyings);
   make_coordinates(plan, geometry, first, batch, columns);
-  place(columns, layout.normal, batch.normal, 3);
-  place(columns, layout.eye_position, batch.point, 3);
-  place(columns, layout.fog, &batch.point[2], 1);
-  place(columns, layout.color, batch.color, 4);
-  const int dots = plan.origin.makes_vertex_products() ? cheap_phong_varyings(*plan.illumination) : 0;
-  place(columns, layout.dots, batch.dots, dots);
+  columns.place(Meaning::normal, batch.normal);
+  columns.place(Meaning::eye_position, batch.point);
+  columns.place(Meaning::fog, &batch.point[2]);
+  columns.place(Meaning::color, batch.color);
+  columns.place(Meaning::dots, batch.dots);
 
   for (int side = 0; side < plan.sides(); ++side) {
     const std::size_t at = begin + static_cast<std::size_t>(side) * out.capacity;
     if (plan.origin.makes_vertex_colors()) {
       const BatchArray* colors = make_colors(plan, side, batch);
-      place(columns, layout.color, colors, 4);
-      place(columns, layout.specular, colors + 4, 3);
+      columns.place(Meaning::color, colors);
+      columns.place(Meaning::specular, colors + 4);
       const bool secondary = plan.fragment.separate_specular;
       if (out.flat_colors != nullptr) store_flat_colors(colors, secondary, count, out.flat_colors + at);
     }
     if (plan.origin.makes_vertex_products()) make_dots(plan, side, batch);
-    store_records(batch, columns.data(), layout.count, layout.affine_count,
+    store_records(batch, columns.data(), varyings.count, varyings.affine_count,
                   out.records + at * static_cast<std::size_t>(out.stride), out.stride);
   }
   if (out.surfaces != nullptr) store_surfaces(plan, batch, out.surfaces + begin);

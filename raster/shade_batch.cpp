@@ -1,44 +1,107 @@
-// The fragment stage on one page: what happens to a batch of fragments between interpolation and the frame.
+// The fragment stage on one page: the stages that a fragment can pass between interpolation and the frame,
+// their order, and the loop that takes a batch through them.
 #include <cstring>
 
 #include "raster/kernels/kernels.h"
+#include "raster/reference/shading.h"
 
 namespace barrido::raster {
 namespace {
 
 bool reads_primary(const FragmentState& state) {
   for (const TextureUnit& unit : state.texture_units) {
-    if (unit.texture != nullptr && unit.env_mode == TextureEnvMode::combine) return true;
+    const bool is_on = unit.texture != nullptr || unit.procedure != nullptr;
+    if (is_on && unit.env_mode == TextureEnvMode::combine) return true;
   }
   return false;
 }
 
-/// One texture unit on the batch's colours. @return texels read.
-std::uint64_t apply_texture(TileWorkspace& workspace, int unit) {
+void take_colors(const FragmentStage&, TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
-  const TextureEnvMode mode = batch.state->texture_units[static_cast<std::size_t>(unit)].env_mode;
+  start_colors(*workspace.key, batch);
+  if (reads_primary(*batch.state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
+}
+
+void apply_texture(const FragmentStage& stage, TileWorkspace& workspace) {
+  FragmentBatch& batch = workspace.batch;
+  const int unit = stage.unit;
+  const TextureUnit& state = batch.state->texture_units[static_cast<std::size_t>(unit)];
+  if (state.procedure != nullptr) {
+    state.procedure->vector(batch, unit, workspace.texel);
+    return combine_texture(batch, unit, workspace.texel, workspace.primary);
+  }
   find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
-  if (mode == TextureEnvMode::replace) return sample_texture(batch, unit, workspace.levels, batch.color);
-  if (mode == TextureEnvMode::modulate) return modulate_by_texture(batch, unit, workspace.levels);
-  const std::uint64_t texels = sample_texture(batch, unit, workspace.levels, workspace.texel);
-  combine_texture(batch, unit, workspace.texel, workspace.primary);
-  return texels;
+  std::uint64_t& texels = workspace.statistics.texel_fetches;
+  // The two commonest environments are applied as the texels are sampled.
+  if (state.env_mode == TextureEnvMode::replace) {
+    texels += sample_texture(batch, unit, workspace.levels, batch.color);
+  } else if (state.env_mode == TextureEnvMode::modulate) {
+    texels += modulate_by_texture(batch, unit, workspace.levels);
+  } else {
+    texels += sample_texture(batch, unit, workspace.levels, workspace.texel);
+    combine_texture(batch, unit, workspace.texel, workspace.primary);
+  }
 }
 
 }  // namespace
 
+constinit const StageKind kTakeColors{
+    .name = "colours",
+    .reads = set_of(Meaning::color, Meaning::specular),
+    .writes = set_of(Meaning::color, Meaning::specular),
+    .vector = take_colors,
+    .scalar = reference::take_colors,
+    .story = "takes the colours that light made, the vertices gave or the primitive has, and clamps them",
+    .clamps = true};
+constinit const StageKind kApplyTexture{
+    .name = "texture unit",
+    .reads = set_of(Meaning::color, Meaning::texcoord),
+    .writes = set_of(Meaning::color),
+    .vector = apply_texture,
+    .scalar = reference::apply_texture,
+    .story = "makes a texel of the unit's coordinates and combines it with the colour so far",
+    .clamps = true};
+constinit const StageKind kAddSecondary{
+    .name = "colour sum",
+    .reads = set_of(Meaning::color, Meaning::specular),
+    .writes = set_of(Meaning::color),
+    .vector = [](const FragmentStage&, TileWorkspace& workspace) { add_secondary(workspace.batch); },
+    .scalar = reference::add_secondary,
+    .story = "adds the highlights, which the textures have not darkened",
+    .clock = Stage::write,
+    .clamps = true};
+constinit const StageKind kApplyFog{
+    .name = "fog",
+    .reads = set_of(Meaning::color, Meaning::fog),
+    .writes = set_of(Meaning::color),
+    .vector = [](const FragmentStage&, TileWorkspace& workspace) { apply_fog(workspace.batch); },
+    .scalar = reference::apply_fog,
+    .story = "mixes in the colour of the fog by the distance",
+    .clock = Stage::write};
+
+std::vector<FragmentStage> make_stages(const FragmentState& state, std::span<const FragmentStage> before,
+                                       const StageInputs& inputs) {
+  std::vector<FragmentStage> stages(before.begin(), before.end());
+  stages.push_back(
+      {.kind = &kTakeColors,
+       .reads = {{{Meaning::color, inputs.color ? 4 : 0}, {Meaning::specular, inputs.specular ? 3 : 0}}}});
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+    const int floats = inputs.coordinates[static_cast<std::size_t>(unit)];
+    if (floats == 0) continue;
+    stages.push_back({.kind = &kApplyTexture, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});
+  }
+  if (state.separate_specular) stages.push_back({.kind = &kAddSecondary});
+  if (state.fog.enabled) stages.push_back({.kind = &kApplyFog, .reads = {{{Meaning::fog, 1}}}});
+  return stages;
+}
+
 void shade_batch(TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
   const FragmentState& state = *batch.state;
-  const Stage before = workspace.clock.switch_to(Stage::illumination);
-  if (state.illumination.function != nullptr)
-    state.illumination.function(state.illumination.parameters, batch);
-  workspace.clock.switch_to(Stage::texture);
-  start_colors(*workspace.key, batch);
-  if (reads_primary(state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (!is_active(state, unit)) continue;
-    workspace.statistics.texel_fetches += apply_texture(workspace, unit);
+  const Stage before = workspace.clock.switch_to(state.stages.front().kind->clock);
+  for (const FragmentStage& stage : state.stages) {
+    workspace.clock.switch_to(stage.kind->clock);
+    stage.kind->vector(stage, workspace);
   }
   workspace.clock.switch_to(Stage::write);
   write_fragments(*workspace.key, batch, workspace.surface);

@@ -14,6 +14,7 @@ namespace barrido::inspect {
 namespace {
 
 using pipeline::AssembledDraw;
+using pipeline::reference::SurfacePoint;
 
 glm::vec4 clip_position(const AssembledDraw& draw, const glm::vec3& object) {
   return draw.plan->transform.clip_from_object * glm::vec4(object, 1.0f);
@@ -118,9 +119,9 @@ glm::vec3 VertexAgain::normal() const {
   return {n[0], n[1], n[2]};
 }
 
-LitPoint VertexAgain::point(bool back) const {
+SurfacePoint VertexAgain::point(bool back) const {
   const pipeline::SurfaceVertex& s = *out_.surfaces;
-  LitPoint point;
+  SurfacePoint point;
   point.position = {s.position[0], s.position[1], s.position[2]};
   point.normal = normal();
   point.color = {s.color[0], s.color[1], s.color[2], s.color[3]};

@@ -17,7 +17,7 @@ class VertexAgain {
 
   glm::vec3 object() const;
   glm::vec3 normal() const;  ///< Eye space; 0 where the draw has none.
-  LitPoint point(bool back) const;
+  pipeline::reference::SurfacePoint point(bool back) const;
   /// Depth, 1/w and varyings, those of perspective already divided by w.
   const float* record(bool back) const;
   /// Lit colours of Gouraud and flat shading at the provoking vertex; else null.

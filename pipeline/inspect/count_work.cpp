@@ -4,7 +4,6 @@
 #include "pipeline/inspect/view_observers.h"
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/sampling.h"
-#include "raster/reference/shading.h"
 
 namespace barrido::inspect {
 namespace {
@@ -15,7 +14,7 @@ std::uint32_t texels_of(const CensusFragment& fragment) {
   const raster::FragmentState& state = *fragment.place.chunk.state;
   std::uint32_t texels = 0;
   for (int unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
-    if (!raster::reference::is_unit_active(state, unit)) continue;
+    if (!raster::has_picture(state, unit)) continue;
     const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
     const raster::TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
     texels += static_cast<std::uint32_t>(raster::reference::choose_levels(texture, lod).texels());

@@ -1,7 +1,6 @@
 #include "pipeline/inspect/fragment_census.h"
 
 #include <algorithm>
-#include <memory>
 
 #include <tbb/parallel_for.h>
 
@@ -48,11 +47,11 @@ class Band {
   }
 
  private:
-  bool passes_alpha_test(const FragmentPlace& place) {
-    if (batch_ == nullptr) batch_ = std::make_unique<raster::reference::Fragment>();
-    raster::reference::interpolate(place, *batch_);
+  static bool passes_alpha_test(const FragmentPlace& place) {
+    raster::reference::Fragment fragment;
+    raster::reference::interpolate(place, fragment);
     const raster::AlphaTest& test = place.chunk.state->alpha_test;
-    return raster::reference::compare(test.compare, raster::reference::shade_fragment(*batch_)[3],
+    return raster::reference::compare(test.compare, raster::reference::shade_fragment(fragment)[3],
                                       test.reference);
   }
 
@@ -61,7 +60,6 @@ class Band {
   const CensusEvents& events_;
   raster::reference::RowRange rows_;
   std::vector<float> depth_;
-  std::unique_ptr<raster::reference::Fragment> batch_;  // only where there are alpha tests
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace barrido::inspect {
 namespace {
 
 using pipeline::AssembledDraw;
-using raster::kAbsent;
+using pipeline::reference::SurfacePoint;
+using raster::Meaning;
 
 std::string name_at(int index, const auto& list) {
   return index == scene::kNone ? std::string() : list[static_cast<std::size_t>(index)].name;
@@ -61,6 +62,10 @@ TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& d
                           const FragmentStory& story, std::size_t unit) {
   const raster::TextureUnit& state = draw.plan->fragment.texture_units[unit];
   TextureStory texture;
+  if (state.procedure != nullptr) {
+    texture.role = state.procedure->name;
+    return texture;
+  }
   texture.cube = state.texture->is_cube();
   texture.width = state.texture->width();
   texture.height = state.texture->height();
@@ -75,30 +80,43 @@ TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& d
   return texture;
 }
 
-glm::vec3 varying3(const raster::reference::FragmentTrace& trace, int offset) {
-  if (offset == kAbsent) return glm::vec3(0.0f);
-  const float* v = trace.varyings.data() + offset;
-  return {v[0], v[1], v[2]};
+/// The interpolated numbers of a meaning; none where it is not interpolated.
+std::span<const float> varying(const AssembledDraw& draw, const raster::reference::FragmentTrace& trace,
+                               Meaning meaning) {
+  const raster::VaryingList& list = draw.plan->fragment.varyings;
+  if (!list.has(meaning)) return {};
+  return std::span(trace.varyings)
+      .subspan(static_cast<std::size_t>(list.at(meaning)), static_cast<std::size_t>(list.floats(meaning)));
 }
 
-glm::vec4 varying4(const raster::reference::FragmentTrace& trace, int offset) {
-  if (offset == kAbsent) return glm::vec4(1.0f);
-  const float* v = trace.varyings.data() + offset;
-  return {v[0], v[1], v[2], v[3]};
+/// The surface as the fragment's light sees it.
+SurfacePoint point_of(const AssembledDraw& draw, const raster::reference::FragmentTrace& trace) {
+  SurfacePoint point;
+  point.normalize = true;
+  point.back = trace.back_facing;
+  point.normal = glm::vec3(0.0f);
+  const auto take = [&](Meaning meaning, auto& into) {
+    const std::span<const float> from = varying(draw, trace, meaning);
+    for (std::size_t k = 0; k < from.size(); ++k) into[static_cast<int>(k)] = from[k];
+  };
+  take(Meaning::normal, point.normal);
+  take(Meaning::eye_position, point.position);
+  take(Meaning::color, point.color);
+  return point;
 }
 
 /// The middle of the polygon: sums in double precision and one rounding, as flat shading makes it.
-LitPoint centroid(const AssembledDraw& draw, const std::vector<std::uint32_t>& vertices, bool back) {
+SurfacePoint centroid(const AssembledDraw& draw, const std::vector<std::uint32_t>& vertices, bool back) {
   glm::dvec3 position(0.0), normal(0.0);
   glm::dvec4 color(0.0);
   for (const std::uint32_t vertex : vertices) {
-    const LitPoint corner = VertexAgain(draw, vertex).point(back);
+    const SurfacePoint corner = VertexAgain(draw, vertex).point(back);
     position += glm::dvec3(corner.position);
     normal += glm::dvec3(corner.normal);
     color += glm::dvec4(corner.color);
   }
   const auto count = static_cast<double>(vertices.size());
-  LitPoint point;
+  SurfacePoint point;
   point.position = glm::vec3(position / count);
   point.normal = glm::vec3(normal / count);
   point.color = glm::vec4(color / count);
@@ -123,8 +141,7 @@ void tell_illumination(const FragmentContext& context, const FrameChunk& place, 
   if (!draw.plan->illumination) return;
   const pipeline::Illumination& model = *draw.plan->illumination;
   const LightingNames names{draw.state.lighting, context.light_names};
-  const raster::VaryingLayout& layout = story.state.varyings;
-  const auto explain = [&](const LitPoint& point, std::string where) {
+  const auto explain = [&](const SurfacePoint& point, std::string where) {
     story.illuminations.push_back(explain_illumination(model, point, names));
     story.illuminations.back().place = std::move(where);
   };
@@ -140,19 +157,15 @@ void tell_illumination(const FragmentContext& context, const FrameChunk& place, 
   } else if (origin.at_vertices) {
     for (const CornerStory& corner : story.corners) at_vertex(corner.vertex, "vertex ");
   } else {
-    explain({varying3(story.trace, layout.eye_position), varying3(story.trace, layout.normal),
-             varying4(story.trace, layout.color), true, story.trace.back_facing},
-            "fragment");
+    explain(point_of(draw, story.trace), "fragment");
   }
   if (!origin.makes_vertex_products()) return;
   for (std::size_t k = 0; k < story.corners.size(); ++k) {
     add_products(model, VertexAgain(draw, story.corners[k].vertex).point(story.back_facing),
                  story.illuminations[k]);
   }
-  const std::span<const float> dots(story.trace.varyings.data() + layout.dots,
-                                    static_cast<std::size_t>(pipeline::cheap_phong_varyings(model)));
   story.from_products =
-      explain_products(model, dots, varying4(story.trace, layout.color), story.trace.back_facing, names);
+      explain_products(model, varying(draw, story.trace, Meaning::dots), point_of(draw, story.trace), names);
 }
 
 }  // namespace
@@ -175,7 +188,7 @@ FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& pl
     story.textures.push_back(tell_texture(context, *place.draw, story, static_cast<std::size_t>(unit.unit)));
   }
   story.state = *chunk.state;
-  story.state.illumination = {};
+  story.state.stages.clear();  // they point into the draw
   for (raster::TextureUnit& unit : story.state.texture_units) unit.texture = nullptr;
   story.trace = std::move(trace);
   if (!story.trace.outside_scissor) tell_illumination(context, place, source, story);

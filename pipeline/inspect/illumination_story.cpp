@@ -1,10 +1,9 @@
 #include "pipeline/inspect/illumination_story.h"
 
 #include <cmath>
+#include <functional>
 
 #include <glm/geometric.hpp>
-
-#include "pipeline/vertex_batch.h"
 
 namespace barrido::inspect {
 namespace {
@@ -13,13 +12,10 @@ using pipeline::IlluminatingLight;
 using pipeline::Illumination;
 using pipeline::LightProducts;
 
-constexpr LightProducts kNoProducts{};
-constexpr std::size_t kLanes = pipeline::kVertexPadding;
+using pipeline::reference::LitColor;
+using pipeline::reference::SurfacePoint;
 
-/// One number in an array as the kernels read and write them.
-struct alignas(64) Column {
-  float lane[kLanes] = {};
-};
+constexpr LightProducts kNoProducts{};
 
 LightProducts ones() {
   LightProducts products;
@@ -27,107 +23,9 @@ LightProducts ones() {
   return products;
 }
 
-struct Result {
-  Color primary{};
-  Rgb secondary{};
-};
-
-/// A surface point as the kernels take it.
-struct PointColumns {
-  Column normal[3], position[3], color[4];
-  pipeline::SurfacePoints points;
-
-  explicit PointColumns(const LitPoint& at) {
-    for (int axis = 0; axis < 3; ++axis) {
-      normal[axis].lane[0] = at.normal[axis];
-      position[axis].lane[0] = at.position[axis];
-    }
-    for (int c = 0; c < 4; ++c) color[c].lane[0] = at.color[c];
-    points.count = 1;
-    points.normal = {normal[0].lane, normal[1].lane, normal[2].lane};
-    points.position = {position[0].lane, position[1].lane, position[2].lane};
-    points.color = {color[0].lane, color[1].lane, color[2].lane, color[3].lane};
-    points.normalize = at.normalize;
-    points.back = at.back;
-  }
-  PointColumns(const PointColumns&) = delete;
-  PointColumns& operator=(const PointColumns&) = delete;
-};
-
-struct ResultColumns {
-  Column primary[4], secondary[3];
-
-  pipeline::LitColors out() {
-    return {{primary[0].lane, primary[1].lane, primary[2].lane, primary[3].lane},
-            {secondary[0].lane, secondary[1].lane, secondary[2].lane}};
-  }
-  Result result() const {
-    Result r;
-    for (std::size_t c = 0; c < 4; ++c) r.primary[c] = primary[c].lane[0];
-    for (std::size_t c = 0; c < 3; ++c) r.secondary[c] = secondary[c].lane[0];
-    return r;
-  }
-};
-
-/// The model evaluated somewhere, with whatever lights and products the illumination is given.
-class Evaluation {
- public:
-  virtual ~Evaluation() = default;
-  /// `only`: the number that the illumination's single light has in the whole model, or −1 for all lights.
-  virtual Result operator()(const Illumination& illumination, int only) const = 0;
-};
-
-class AtPoint final : public Evaluation {
- public:
-  explicit AtPoint(const PointColumns& point) : point_(point) {}
-  Result operator()(const Illumination& illumination, int) const override {
-    ResultColumns columns;
-    pipeline::illuminate(illumination, point_.points, columns.out());
-    return columns.result();
-  }
-
- private:
-  const PointColumns& point_;
-};
-
-class FromProducts final : public Evaluation {
- public:
-  FromProducts(std::span<const float> dots, const glm::vec4& color, bool back)
-      : back_(back), dots_(dots.size()) {
-    for (std::size_t i = 0; i < dots.size(); ++i) dots_[i].lane[0] = dots[i];
-    for (int c = 0; c < 4; ++c) color_[c].lane[0] = color[c];
-  }
-  Result operator()(const Illumination& illumination, int only) const override {
-    std::vector<const float*> columns;
-    const std::size_t first = only < 0 ? 0 : 2 * static_cast<std::size_t>(only);
-    const std::size_t end = only < 0 ? dots_.size() : first + 2;
-    for (std::size_t i = first; i < end; ++i) columns.push_back(dots_[i].lane);
-    return evaluate(illumination, columns);
-  }
-  /// The columns behind those of the lights: interpolated ambient light.
-  Result ambient(const Illumination& illumination, std::size_t lights) const {
-    std::vector<const float*> columns;
-    for (std::size_t i = 2 * lights; i < dots_.size(); ++i) columns.push_back(dots_[i].lane);
-    return evaluate(illumination, columns);
-  }
-  Result without_products(const Illumination& illumination) const { return evaluate(illumination, {}); }
-
- private:
-  Result evaluate(const Illumination& illumination, const std::vector<const float*>& columns) const {
-    pipeline::InterpolatedDots dots;
-    dots.count = 1;
-    dots.back = back_;
-    dots.columns = columns;
-    dots.color = {color_[0].lane, color_[1].lane, color_[2].lane, color_[3].lane};
-    ResultColumns result;
-    pipeline::cheap_phong_colors(illumination, dots, result.out());
-    return result.result();
-  }
-
-  bool back_;
-  std::vector<Column> dots_;
-  Column color_[4];
-};
+/// The model evaluated somewhere, with whatever lights and products the illumination is given. `only`: the
+/// number that the illumination's single light has in the whole model, or −1 for all lights.
+using Evaluation = std::function<LitColor(const Illumination& illumination, int only)>;
 
 Rgb rgb(const Color& c) { return {c[0], c[1], c[2]}; }
 Rgb rgb(const glm::vec3& c) { return {c.r, c.g, c.b}; }
@@ -155,21 +53,20 @@ Rgb share(const Illumination& whole, int light, Term term, bool unit, const Eval
   l.diffuse = products(Term::diffuse, l.diffuse);
   l.specular = products(Term::specular, l.specular);
   if (term != Term::specular) l.shines = {false, false};
-  const Result result = evaluate(one, light);
+  const LitColor result = evaluate(one, light);
   return term == Term::specular ? result.secondary : rgb(result.primary);
 }
 
 /// N·L and N·H or R·V of one light, as they are before clamping and weakening.
-void measure_products(const Illumination& whole, int light, const PointColumns& point, LightStory& story) {
+void measure_products(const Illumination& whole, int light, const SurfacePoint& point, LightStory& story) {
   Illumination one = isolated(whole, light);
   one.cheap_phong_power = pipeline::CheapPhongPower::pixel;
   one.shininess.fill(1.0f);
   one.lights[0].weakens = false;
-  Column columns[2];
-  float* const pointers[2] = {columns[0].lane, columns[1].lane};
-  pipeline::cheap_phong_dots(one, point.points, pointers);
-  story.n_dot_l = columns[0].lane[0];
-  story.highlight = columns[1].lane[0];
+  float dots[2];
+  pipeline::reference::cheap_phong_dots(one, point, dots);
+  story.n_dot_l = dots[0];
+  story.highlight = dots[1];
 }
 
 glm::vec3 unit(const glm::vec3& v) {
@@ -185,7 +82,7 @@ void describe_vectors(const IlluminatingLight& light, const IlluminationStory& a
 }
 
 /// Adds up the shares in the kernel's order and compares with its own result.
-void add_up(const Illumination& whole, const Result& result, IlluminationStory& story) {
+void add_up(const Illumination& whole, const LitColor& result, IlluminationStory& story) {
   const std::size_t side = story.back_side ? 1 : 0;
   Rgb primary = story.base;
   Rgb secondary{};
@@ -249,10 +146,11 @@ void measure_shares(const Illumination& whole, const Evaluation& evaluate, Illum
 
 }  // namespace
 
-IlluminationStory explain_illumination(const Illumination& illumination, const LitPoint& point,
+IlluminationStory explain_illumination(const Illumination& illumination, const SurfacePoint& point,
                                        const LightingNames& names) {
-  const PointColumns columns(point);
-  const AtPoint evaluate(columns);
+  const Evaluation evaluate = [&](const Illumination& model, int) {
+    return pipeline::reference::illuminate(model, point);
+  };
   IlluminationStory story = begin_story(illumination, names, point.back, point.color);
   story.position = point.position;
   story.normal = point.normalize ? unit(point.normal) : point.normal;
@@ -265,7 +163,7 @@ IlluminationStory explain_illumination(const Illumination& illumination, const L
   for (std::size_t i = 0; i < illumination.lights.size(); ++i) {
     const IlluminatingLight& light = illumination.lights[i];
     LightStory& l = story.lights[i];
-    measure_products(illumination, static_cast<int>(i), columns, l);
+    measure_products(illumination, static_cast<int>(i), point, l);
     describe_vectors(light, story, l);
     if (!light.weakens) continue;
     l.ambient = share(illumination, static_cast<int>(i), Term::ambient, false, evaluate);
@@ -280,21 +178,23 @@ IlluminationStory explain_illumination(const Illumination& illumination, const L
   return story;
 }
 
-void add_products(const Illumination& illumination, const LitPoint& point, IlluminationStory& story) {
-  const PointColumns columns(point);
-  std::vector<Column> dots(static_cast<std::size_t>(pipeline::cheap_phong_varyings(illumination)));
-  std::vector<float*> pointers;
-  for (Column& column : dots) pointers.push_back(column.lane);
-  pipeline::cheap_phong_dots(illumination, columns.points, pointers);
+void add_products(const Illumination& illumination, const SurfacePoint& point, IlluminationStory& story) {
+  std::vector<float> dots(static_cast<std::size_t>(pipeline::cheap_phong_varyings(illumination)));
+  pipeline::reference::cheap_phong_dots(illumination, point, dots);
   for (std::size_t i = 0; i < story.lights.size(); ++i) {
-    story.lights[i].products = {dots[2 * i].lane[0], dots[2 * i + 1].lane[0]};
+    story.lights[i].products = {dots[2 * i], dots[2 * i + 1]};
   }
 }
 
 IlluminationStory explain_products(const Illumination& illumination, std::span<const float> dots,
-                                   const glm::vec4& color, bool back, const LightingNames& names) {
-  const FromProducts evaluate(dots, color, back);
-  IlluminationStory story = begin_story(illumination, names, back, color);
+                                   const SurfacePoint& point, const LightingNames& names) {
+  const auto model = [&](const Illumination& of, std::span<const float> some) {
+    return pipeline::reference::cheap_phong_color(of, some, point);
+  };
+  const Evaluation evaluate = [&](const Illumination& of, int only) {
+    return model(of, only < 0 ? dots : dots.subspan(2 * static_cast<std::size_t>(only), 2));
+  };
+  IlluminationStory story = begin_story(illumination, names, point.back, point.color);
   story.place = "fragment";
   story.interpolated_products = true;
   story.highlights_are_powers = pipeline::power_at_vertices(illumination, story.back_side ? 1 : 0);
@@ -305,9 +205,9 @@ IlluminationStory explain_products(const Illumination& illumination, std::span<c
     story.lights[i].highlight = dots[2 * i + 1];
   }
   Illumination base = isolated(illumination, -1);
-  story.interpolated_ambient = rgb(evaluate.ambient(base, lights).primary);
+  story.interpolated_ambient = rgb(model(base, dots.subspan(2 * lights)).primary);
   base.base = illumination.base;
-  story.base = rgb(evaluate.without_products(base).primary);
+  story.base = rgb(model(base, {}).primary);
   add_up(illumination, evaluate(illumination, -1), story);
   return story;
 }

@@ -12,7 +12,6 @@
 #include "pipeline/scene/draw_state.h"
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/sampling.h"
-#include "raster/reference/shading.h"
 
 namespace barrido::inspect {
 namespace {
@@ -34,7 +33,7 @@ float eye_distance(const scene::View& view, const CensusFragment& fragment) {
 int picture_unit(const raster::FragmentState& state) {
   int environment = raster::kAbsent;
   for (int unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
-    if (!raster::reference::is_unit_active(state, unit)) continue;
+    if (!raster::has_picture(state, unit)) continue;
     const raster::Texture& texture = *state.texture_units[static_cast<std::size_t>(unit)].texture;
     if (texture.is_cube()) {
       environment = unit;
@@ -69,12 +68,12 @@ using Normal = std::array<float, 3>;
 
 Normal normal_of_varyings(const CensusFragment& fragment) {
   const raster::FragmentState& state = *fragment.place.chunk.state;
-  const raster::VaryingLayout& layout = state.varyings;
-  if (layout.normal == raster::kAbsent) return {kNothing, kNothing, kNothing};
+  const int normal = state.varyings.at(raster::Meaning::normal);
+  if (normal == raster::kAbsent) return {kNothing, kNothing, kNothing};
   const auto steps = static_cast<float>(fragment.place.x - fragment.place.along.anchor);
   glm::vec3 n(0.0f);
   for (int k = 0; k < 3; ++k) {
-    const auto quantity = static_cast<std::size_t>(raster::kRecordVaryings + layout.normal + k);
+    const auto quantity = static_cast<std::size_t>(raster::kRecordVaryings + normal + k);
     n[k] = fragment.place.along.quantities[quantity].at(steps);  // times 1/w, which is of no matter here
   }
   if ((fragment.place.primitive.flat_and_facing & raster::kBackFacing) != 0) n = -n;

@@ -85,7 +85,7 @@ struct CornerStory {
 
 /// The picture behind a texture unit; one for each of FragmentTrace::shading.units.
 struct TextureStory {
-  std::string role;   ///< "base color", "environment", "emission" or "constant".
+  std::string role;   ///< "base color", "environment", "emission" or "constant"; or a procedure's name.
   std::string image;  ///< Name of the picture in the file; empty where there is none.
   bool cube = false;
   int width = 0, height = 0, levels = 0;
@@ -111,7 +111,7 @@ struct FragmentStory {
   bool clipped = false;         ///< What covers the pixel is a piece that clipping left.
   bool back_facing = false;     ///< Seen from behind.
   std::string_view shading;     ///< Name of the pipeline::ColorOrigin.
-  raster::FragmentState state;  ///< Without textures and illumination function.
+  raster::FragmentState state;  ///< Without textures and stages.
   std::vector<TextureStory> textures;
   std::vector<CornerStory> corners;
   std::vector<IlluminationStory> illuminations;    ///< Phong 1, Gouraud and cheap Phong one a corner, flat 1.

@@ -116,6 +116,7 @@ Json unit_json(const UnitTrace& unit, const TextureStory& texture, const raster:
             {"v", unit.sample.v},
             {"lod", unit.sample.lod},
             {"magnified", unit.sample.magnified}};
+  for (const auto& note : unit.notes) json["notes"][std::string(note.name)] = note.values;
   if (texture.cube) json["face"] = name_of_face(unit.sample.face);
   json["levels"] = Json::array();
   for (const auto& level : unit.sample.levels) json["levels"].push_back(level_json(level));
@@ -190,6 +191,7 @@ Json fragment_json(const FragmentStory& f) {
                                    {"fog_color", list(f.state.fog.color)},
                                    {"result", list(shading.fog->color)}}
                             : Json(nullptr);
+  for (const auto& note : shading.notes) json["notes"][std::string(note.name)] = note.values;
   json["color"] = list(shading.color);
   json["frame"] = fate_json(f);
   return json;

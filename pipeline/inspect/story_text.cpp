@@ -87,7 +87,7 @@ std::string story_text(const PixelStory& story) {
                    std::to_string(story.width) + " x " + std::to_string(story.height) +
                    ", counted from the upper left (in the window y = " + std::to_string(story.window_y) +
                    ", from the bottom)");
-  lines.add(0, story.source + ", shading " + std::string(name_of(story.shading)));
+  lines.add(0, story.source + ", shading " + std::string(pipeline::shading_mode(story.shading).name));
   lines.blank();
   tell_list(story, lines);
   lines.add(0, "Background: " + tuple(story.clear) + ", z " + number(story.clear_depth));

@@ -6,7 +6,7 @@
 namespace barrido::inspect {
 namespace {
 
-using raster::kAbsent;
+using raster::Meaning;
 using raster::reference::ShadingTrace;
 using raster::reference::UnitTrace;
 
@@ -49,24 +49,26 @@ void tell_span(const FragmentStory& f, int x, Lines& lines) {
   lines.add(2, "z   = " + along(trace.along.quantities[raster::kRecordDepth], steps));
   lines.add(2, "1/w = " + along(trace.along.quantities[raster::kRecordQ], steps) +
                    ", w = " + number(1.0 / trace.q));
-  const auto tell = [&](const char* name, int offset, int count) {
-    if (offset == kAbsent) return;
-    const auto first = trace.varyings.begin() + offset;
-    const std::vector<float> values(first, first + count);
+  const raster::VaryingList& varyings = f.state.varyings;
+  const auto tell = [&](const char* name, Meaning meaning) {
+    if (!varyings.has(meaning)) return;
+    const int at = varyings.at(meaning);
+    const auto first = trace.varyings.begin() + at;
+    const std::vector<float> values(first, first + varyings.floats(meaning));
     lines.add(2, std::string(name) + " = " + tuple(values) +
-                     (offset < f.state.varyings.affine_count ? " (linear on the screen)" : ""));
+                     (at < varyings.affine_count ? " (linear on the screen)" : ""));
   };
-  const raster::VaryingLayout& layout = f.state.varyings;
-  tell("colour", layout.color, 4);
-  tell("highlights", layout.specular, 3);
-  tell("normal", layout.normal, 3);
-  tell("eye position", layout.eye_position, 3);
+  tell("colour", Meaning::color);
+  tell("highlights", Meaning::specular);
+  tell("normal", Meaning::normal);
+  tell("eye position", Meaning::eye_position);
 }
 
 /// Gouraud's sum over the corners.
 void tell_gouraud(const FragmentStory& f, Lines& lines) {
-  if (f.corners.empty() || !f.corners[0].lit || f.state.varyings.color == kAbsent) return;
-  const bool on_screen = f.state.varyings.color < f.state.varyings.affine_count;
+  const raster::VaryingList& varyings = f.state.varyings;
+  if (f.corners.empty() || !f.corners[0].lit || !varyings.has(Meaning::color)) return;
+  const bool on_screen = varyings.at(Meaning::color) < varyings.affine_count;
   if (f.clipped && on_screen) return;
   std::string sum;
   for (const CornerStory& c : f.corners) {
@@ -159,10 +161,26 @@ std::string environment_words(const raster::TextureUnit& state) {
   return a + "·" + k + " + " + b + "·(1 - " + k + ")";
 }
 
+/// What stages and procedures tell that have no record of their own.
+void tell_notes(const std::vector<raster::reference::Note>& notes, int level, Lines& lines) {
+  for (const raster::reference::Note& note : notes) {
+    lines.add(level, std::string(note.name) + " = " +
+                         (note.values.size() == 1 ? number(note.values[0]) : tuple(note.values)));
+  }
+}
+
 void tell_unit(const UnitTrace& unit, const TextureStory& texture, const raster::TextureUnit& state,
                Lines& lines) {
-  lines.add(1, texture_words(unit, texture, state));
-  tell_sample(unit, texture, lines);
+  if (state.procedure != nullptr) {
+    lines.add(1, "Texture unit " + std::to_string(unit.unit) + ", " + texture.role + ": " +
+                     std::string(state.procedure->story));
+    lines.add(2, "at " + tuple(unit.coordinates));
+    tell_notes(unit.notes, 2, lines);
+    lines.add(2, "texel " + tuple(unit.sample.color));
+  } else {
+    lines.add(1, texture_words(unit, texture, state));
+    tell_sample(unit, texture, lines);
+  }
   const std::string formula = environment_words(state);
   lines.add(
       2, formula + ", with previous " + tuple(unit.previous) +
@@ -204,6 +222,7 @@ void tell_shading(const PixelStory& pixel, const FragmentStory& f, Lines& lines)
                         ? ", highlights " + tuple(std::span<const float>(shading.secondary.data(), 3))
                         : "") +
                    (shading.primary != shading.lit_primary ? " (clamped to 0..1)" : ""));
+  tell_notes(shading.notes, 1, lines);
   tell_combination(f, lines);
 }
 

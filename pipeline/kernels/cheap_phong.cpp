@@ -58,10 +58,14 @@ void dots_at_points(const Illumination& illumination, const SurfacePoints& point
 
 template <bool kTracked>
 HWY_INLINE void add_dots(const Illumination& illumination, const IlluminatingLight& light, V n_dot_l,
-                         V highlight, bool power_here, std::size_t side, Sums& sums) {
-  add_terms<kTracked>(sums, sums.primary, light.diffuse, side, positive(n_dot_l));
+                         V highlight, bool power_here, std::size_t side, const float* visibility,
+                         Sums& sums) {
+  V diffuse = positive(n_dot_l);
+  if (visibility != nullptr) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
+  add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
   if (!light.shines[side]) return;
-  const V specular = power_here ? shine(n_dot_l, highlight, illumination.shininess[side]) : highlight;
+  V specular = power_here ? shine(n_dot_l, highlight, illumination.shininess[side]) : highlight;
+  if (visibility != nullptr) specular = hn::Mul(specular, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.secondary, light.specular, side, specular);
 }
 
@@ -76,11 +80,12 @@ void colors_from_dots(const Illumination& illumination, const InterpolatedDots& 
     for (std::size_t c = 0; dots.columns.size() > ambient_column && c < 3; ++c) {
       sums.primary[c] = hn::Add(sums.primary[c], hn::Load(d, dots.columns[ambient_column + c] + i));
     }
-    std::size_t column = 0;
-    for (const IlluminatingLight& light : illumination.lights) {
-      const V n_dot_l = hn::Load(d, dots.columns[column++] + i);
-      const V highlight = hn::Load(d, dots.columns[column++] + i);
-      add_dots<kTracked>(illumination, light, n_dot_l, highlight, power_here, side, sums);
+    for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
+      const V n_dot_l = hn::Load(d, dots.columns[2 * l] + i);
+      const V highlight = hn::Load(d, dots.columns[2 * l + 1] + i);
+      const float* visibility = dots.visibility.empty() ? nullptr : dots.visibility[l] + i;
+      add_dots<kTracked>(illumination, illumination.lights[l], n_dot_l, highlight, power_here, side,
+                         visibility, sums);
     }
     store_sums(illumination, sums, dots.color, side, i, out);
   }

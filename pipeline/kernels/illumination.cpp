@@ -15,7 +15,7 @@ namespace barrido::pipeline::HWY_NAMESPACE {
 
 template <bool kTracked>
 HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLight& light,
-                          const Surface& surface, std::size_t side, Sums& sums) {
+                          const Surface& surface, std::size_t side, const float* visibility, Sums& sums) {
   const bool shines = light.shines[side];
   const Incidence at = incidence(illumination, light, surface, shines);
   V diffuse = positive(at.n_dot_l);
@@ -23,10 +23,12 @@ HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLi
     diffuse = hn::Mul(diffuse, at.factor);
     add_terms<kTracked>(sums, sums.primary, light.ambient, side, at.factor);
   }
+  if (visibility != nullptr) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
   if (!shines) return;
   V specular = shine(at.n_dot_l, at.highlight, illumination.shininess[side]);
   if (light.weakens) specular = hn::Mul(specular, at.factor);
+  if (visibility != nullptr) specular = hn::Mul(specular, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.secondary, light.specular, side, specular);
 }
 
@@ -36,8 +38,9 @@ void illuminate_points(const Illumination& illumination, const SurfacePoints& po
   for (int i = 0; i < points.count; i += kLanes) {
     const Surface surface = load_surface(illumination, points, i);
     Sums sums = start_sums<kTracked>(illumination, points.color, side, i);
-    for (const IlluminatingLight& light : illumination.lights) {
-      add_light<kTracked>(illumination, light, surface, side, sums);
+    for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
+      const float* visibility = points.visibility.empty() ? nullptr : points.visibility[l] + i;
+      add_light<kTracked>(illumination, illumination.lights[l], surface, side, visibility, sums);
     }
     store_sums(illumination, sums, points.color, side, i, out);
   }

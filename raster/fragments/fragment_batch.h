@@ -9,11 +9,6 @@
 
 namespace barrido::raster {
 
-inline constexpr int kBatchCapacity = 128;
-/// Every array may be read and written in whole vectors up to this many elements past `count`.
-inline constexpr int kBatchPadding = 16;
-inline constexpr int kBatchStride = kBatchCapacity + kBatchPadding;
-
 /// Consecutive pixels of one row that come from one primitive.
 struct FragmentRun {
   std::int16_t x;      ///< First pixel, relative to the tile.
@@ -48,7 +43,8 @@ struct FragmentBatch {
   alignas(64) float depth[kBatchStride];
   alignas(64) float color[4][kBatchStride];     ///< Primary colour, then the result of the texture units.
   alignas(64) float specular[3][kBatchStride];  ///< Secondary colour.
-  alignas(64) float varying[kMaxVaryings][kBatchStride];  ///< Interpolated and perspective-corrected.
+  alignas(64) float varying[kMaxVaryings][kBatchStride];  ///< Interpolated and perspective-corrected; then
+                                                          ///< those that stages compute.
 };
 
 }  // namespace barrido::raster

@@ -4,15 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "raster/fragments/fragment_stage.h"
 #include "raster/textures/texture.h"
 
 namespace barrido::raster {
-
-inline constexpr int kMaxTextureUnits = 4;
-inline constexpr int kMaxLights = 64;
-/// Largest number of varyings a vertex carries: cheap Phong's two dot products a light, and 32 others.
-inline constexpr int kMaxVaryings = 2 * kMaxLights + 32;
 
 /// GL_NEVER … GL_ALWAYS. The incoming value stands left: `less` passes when incoming < stored.
 enum class Compare : std::uint8_t {
@@ -121,9 +118,10 @@ struct CombineState {
                        1.0f};
 };
 
-/// One texture unit; `texture` null means the unit is off.
+/// One texture unit; off when it has neither a texture nor a procedure.
 struct TextureUnit {
   const Texture* texture = nullptr;
+  const TextureProcedure* procedure = nullptr;  ///< In place of a texture.
   MinFilter min_filter = MinFilter::nearest_mipmap_linear;
   MagFilter mag_filter = MagFilter::linear;
   float lod_bias = 0.0f;
@@ -132,45 +130,17 @@ struct TextureUnit {
   std::array<float, 4> env_color{0, 0, 0, 0};
 };
 
-inline constexpr int kAbsent = -1;
-
 /// What a unit's texture coordinates are made of.
 enum class TexcoordKind : std::uint8_t {
   plain,       ///< 2 varyings (s, t): a two-dimensional texture.
   projective,  ///< 3 varyings (s, t, q): a two-dimensional texture sampled at (s/q, t/q).
-  cube,        ///< 3 varyings (s, t, r): a direction into a cube map.
+  direct,      ///< 3 varyings (s, t, r): a direction into a cube map, or a place in a solid.
 };
-
-/// What a vertex record carries after depth and 1/w, as offsets in floats. The first `affine_count` varyings
-/// are linear on the screen; the others are stored divided by w and are perspective-correct:
-/// f = Σ(b f/w) / Σ(b/w) (OpenGL 1.3, eq. 3.6).
-struct VaryingLayout {
-  int color = kAbsent;         ///< 4: primary colour; absent when the primitive's flat colour is used.
-  int specular = kAbsent;      ///< 3: secondary colour, added after texturing; absent when flat or unused.
-  int normal = kAbsent;        ///< 3: eye-space normal (Phong).
-  int eye_position = kAbsent;  ///< 3: eye-space position (Phong with local lights or viewer).
-  int dots = kAbsent;          ///< 2 a light: N·L and R·V (or its power) (cheap Phong, S7).
-  int fog = kAbsent;           ///< 1: eye-space z, or any value whose magnitude is the fog distance.
-  std::array<int, kMaxTextureUnits> texcoord{kAbsent, kAbsent, kAbsent, kAbsent};
-  std::array<TexcoordKind, kMaxTextureUnits> texcoord_kind{};
-  int count = 0;         ///< Varyings in all, at most kMaxVaryings.
-  int affine_count = 0;  ///< How many of them, from the first, are linear on the screen.
-};
-
-struct FragmentBatch;
-
-/// Per-fragment illumination (Phong, cheap Phong), supplied by whoever knows lights: reads the batch's
-/// varyings, writes its primary and secondary colours. Must treat every fragment alike, whatever its place in
-/// the batch.
-struct FragmentIllumination {
-  using Function = void (*)(const void* parameters, FragmentBatch& batch);
-  Function function = nullptr;  ///< Null: colours come from the varyings or the flat values.
-  const void* parameters = nullptr;
-};
+constexpr int floats_of(TexcoordKind kind) { return kind == TexcoordKind::plain ? 2 : 3; }
 
 struct FragmentState {
-  VaryingLayout varyings;
-  FragmentIllumination illumination;
+  VaryingList varyings;
+  std::vector<FragmentStage> stages{{.kind = &kTakeColors}};  ///< In order; see make_stages().
   std::array<TextureUnit, kMaxTextureUnits> texture_units;
   bool separate_specular = false;  ///< Add the secondary colour after texturing.
   bool clamp_colors = true;  ///< Clamp colours to [0, 1] before texturing and after each unit, as OpenGL 1.x.
@@ -190,12 +160,33 @@ inline bool is_opaque(const FragmentState& state) {
   return !state.blend.enabled && !state.alpha_test.enabled && all_channels(state.color_mask);
 }
 
-/// Whether a texture unit takes part: it has a texture, and coordinates of the texture's kind.
+/// Whether a texture unit takes part.
 inline bool is_active(const FragmentState& state, int unit) {
-  const auto u = static_cast<std::size_t>(unit);
-  const Texture* texture = state.texture_units[u].texture;
-  return texture != nullptr && state.varyings.texcoord[u] != kAbsent &&
-         texture->is_cube() == (state.varyings.texcoord_kind[u] == TexcoordKind::cube);
+  for (const FragmentStage& stage : state.stages) {
+    if (stage.kind == &kApplyTexture && stage.unit == unit) return true;
+  }
+  return false;
+}
+
+/// Whether that unit reads a picture.
+inline bool has_picture(const FragmentState& state, int unit) {
+  return is_active(state, unit) && state.texture_units[static_cast<std::size_t>(unit)].procedure == nullptr;
+}
+
+/// Whether a stage makes the primary colour before it is taken: neither vertices nor primitives give it.
+inline bool is_lit(const FragmentState& state) {
+  for (const FragmentStage& stage : state.stages) {
+    if (stage.kind == &kTakeColors) break;
+    if ((stage.kind->writes & set_of(Meaning::color)) != 0) return true;
+  }
+  return false;
+}
+
+inline TexcoordKind texcoord_kind(const FragmentState& state, int unit) {
+  const TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  if (state.varyings.floats(Meaning::texcoord, unit) == 2) return TexcoordKind::plain;
+  const bool is_picture = texture.procedure == nullptr && !texture.texture->is_cube();
+  return is_picture ? TexcoordKind::projective : TexcoordKind::direct;
 }
 
 }  // namespace barrido::raster

@@ -85,13 +85,20 @@ HWY_INLINE Rgba classic(const TextureUnit& unit, const Rgba& p, const Rgba& t) {
         out.c[c] = hn::Add(hn::Mul(p.c[c], hn::Sub(one(), t.c[c])), hn::Mul(constant, t.c[c]));
         break;
       }
-      case TextureEnvMode::modulate:  // this one and the next are applied as the texels are sampled
+      case TextureEnvMode::modulate:  // this one and the next are mostly applied as texels are sampled
+        out.c[c] = hn::Mul(p.c[c], t.c[c]);
+        break;
       case TextureEnvMode::replace:
       case TextureEnvMode::combine:
+        out.c[c] = t.c[c];
         break;
     }
   }
-  if (unit.env_mode != TextureEnvMode::decal) out.c[3] = hn::Mul(p.c[3], t.c[3]);
+  if (unit.env_mode == TextureEnvMode::replace) {
+    out.c[3] = t.c[3];
+  } else if (unit.env_mode != TextureEnvMode::decal) {
+    out.c[3] = hn::Mul(p.c[3], t.c[3]);
+  }
   return out;
 }
 
@@ -134,12 +141,13 @@ void take_colors(const float (*from)[kBatchStride], float (*to)[kBatchStride], i
 /// Colours of the primitive stand there already, clamped.
 void StartColors(const KernelKey& key, FragmentBatch& batch) {
   const FragmentState& state = *batch.state;
-  const bool made = state.illumination.function != nullptr;
+  const bool made = is_lit(state);
   const auto take = [&](int varying, float(*to)[kBatchStride], int channels) {
     take_colors(made ? to : batch.varying + varying, to, channels, batch.count, state.clamp_colors);
   };
-  if (key.takes_primary && !key.fills_primary) take(state.varyings.color, batch.color, 4);
-  if (state.separate_specular && !key.fills_secondary) take(state.varyings.specular, batch.specular, 3);
+  if (key.takes_primary && !key.fills_primary) take(state.varyings.at(Meaning::color), batch.color, 4);
+  if (state.separate_specular && !key.fills_secondary)
+    take(state.varyings.at(Meaning::specular), batch.specular, 3);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -34,40 +34,40 @@ struct InterpolatedSpan {
 /// Varyings of a vector of pixels, which are `k` columns from the anchor, into the batch's arrays from
 /// fragment `at` on.
 template <class D>
-HWY_INLINE void interpolate_vector(D d, const InterpolatedSpan& span, const VaryingLayout& layout,
+HWY_INLINE void interpolate_vector(D d, const InterpolatedSpan& span, const VaryingList& varyings,
                                    hn::Vec<D> k, FragmentBatch& batch, int at) {
   const float* slope = span.planes->slope_x;
-  const int perspective_from = span.constant_q ? layout.count : layout.affine_count;
+  const int perspective_from = span.constant_q ? varyings.count : varyings.affine_count;
   const auto linear = [&](int quantity) HWY_ATTR {
     return hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, slope[quantity]), k));
   };
   for (int v = 0; v < perspective_from; ++v) {
     hn::StoreU(linear(kRecordVaryings + v), d, batch.varying[v] + at);
   }
-  if (perspective_from == layout.count) return;
+  if (perspective_from == varyings.count) return;
   const auto w = inverse_q(linear(kRecordQ));
-  for (int v = perspective_from; v < layout.count; ++v) {
+  for (int v = perspective_from; v < varyings.count; ++v) {
     hn::StoreU(hn::Mul(linear(kRecordVaryings + v), w), d, batch.varying[v] + at);
   }
 }
 
 /// Varyings of `count` pixels from column x on.
 template <class D>
-HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const VaryingLayout& layout, int x,
+HWY_INLINE void interpolate_varyings(D d, const InterpolatedSpan& span, const VaryingList& varyings, int x,
                                      int count, FragmentBatch& batch, int at) {
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const auto k = lanes_from(d, static_cast<float>(x + i - span.anchor));
-    interpolate_vector(d, span, layout, k, batch, at + i);
+    interpolate_vector(d, span, varyings, k, batch, at + i);
   }
 }
 
 /// Short runs, the usual ones of small triangles, use short vectors: a division costs by the lane.
-HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const VaryingLayout& layout, int x,
+HWY_INLINE void interpolate_varyings(const InterpolatedSpan& span, const VaryingList& varyings, int x,
                                      int count, FragmentBatch& batch, int at) {
   if (count <= 4) {  // NOLINT(bugprone-branch-clone): the same only where vectors are that short
-    interpolate_varyings(hn::FixedTag<float, 4>(), span, layout, x, count, batch, at);
+    interpolate_varyings(hn::FixedTag<float, 4>(), span, varyings, x, count, batch, at);
   } else {
-    interpolate_varyings(hn::ScalableTag<float>(), span, layout, x, count, batch, at);
+    interpolate_varyings(hn::ScalableTag<float>(), span, varyings, x, count, batch, at);
   }
 }
 
@@ -83,9 +83,9 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
 }
 
 /// The quantities that a unit's level of detail depends on; for affine coordinates the last does not count.
-inline std::array<int, 3> lod_quantities(const VaryingLayout& layout, int unit) {
-  const int s = kRecordVaryings + layout.texcoord[unit];
-  return {s, s + 1, layout.texcoord_kind[unit] == TexcoordKind::plain ? kRecordQ : s + 2};
+inline std::array<int, 3> lod_quantities(const VaryingList& varyings, int unit) {
+  const int s = kRecordVaryings + varyings.at(Meaning::texcoord, unit);
+  return {s, s + 1, varyings.floats(Meaning::texcoord, unit) == 2 ? kRecordQ : s + 2};
 }
 
 /// Appends the run's groups of four pixels to the unit's groups: what their level of detail depends on.

@@ -13,8 +13,8 @@ void rasterize_tile(const TileJob& job, TileWorkspace& workspace);
 void shade_batch(TileWorkspace& workspace);
 
 /// Quantities that are interpolated for a shaded fragment: the varyings, and q where it divides any.
-inline std::uint64_t quantities_a_fragment(const VaryingLayout& layout) {
-  return static_cast<std::uint64_t>(layout.count + (layout.count > layout.affine_count ? 1 : 0));
+inline std::uint64_t quantities_a_fragment(const VaryingList& varyings) {
+  return static_cast<std::uint64_t>(varyings.count + (varyings.count > varyings.affine_count ? 1 : 0));
 }
 
 /// Mip levels of every fragment of the batch for `unit`, by the level of detail of `group_count` groups of
@@ -31,8 +31,9 @@ std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleL
 /// @return texels read.
 std::uint64_t modulate_by_texture(FragmentBatch& batch, int unit, const SampleLevels& levels);
 
-/// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit. Not
-/// for TextureEnvMode::replace, whose texels are sampled straight into the colours, and not for modulate.
+/// Texture environment of `unit` on the batch's colours; `primary` is the colour before the first unit.
+/// Pictures need it for neither TextureEnvMode::replace, whose texels are sampled straight into the colours,
+/// nor modulate.
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]);
 
@@ -40,7 +41,12 @@ void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatch
 /// interpolated one; clamped to [0, 1] when the state says so.
 void start_colors(const KernelKey& key, FragmentBatch& batch);
 
-/// Secondary colour, fog, alpha test, blending and stores: from the batch's colours to the surface.
+/// Adds the secondary colour to the primary.
+void add_secondary(FragmentBatch& batch);
+
+void apply_fog(FragmentBatch& batch);
+
+/// Alpha test, blending and stores: from the batch's colours to the surface.
 void write_fragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface);
 
 /// Sets every pixel of the tile; the colour is four floats of any size.

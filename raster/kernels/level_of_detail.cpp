@@ -97,14 +97,14 @@ HWY_INLINE hn::Vec<hn::ScalableTag<float>> lod_of_groups(const LodGroups& groups
   const Texture& texture = *state.texture_units[unit].texture;
   const auto width = static_cast<float>(texture.width());
   const auto height = static_cast<float>(texture.height());
-  const TexcoordKind kind = state.varyings.texcoord_kind[unit];
-  if (kind == TexcoordKind::cube) return lod_cube(s, t, quantity(2), width);
+  const TexcoordKind kind = texcoord_kind(state, unit);
+  if (kind == TexcoordKind::direct) return lod_cube(s, t, quantity(2), width);
   const auto one = hn::Set(d, 1.0f);
   if (kind == TexcoordKind::projective) {
     const auto q = quantity(2);
     return lod_2d(s, t, q, hn::Div(one, q.value), width, height);
   }
-  if (state.varyings.texcoord[unit] < state.varyings.affine_count) {
+  if (state.varyings.at(Meaning::texcoord, unit) < state.varyings.affine_count) {
     const auto zero = hn::Zero(d);
     return lod_2d(s, t, Differential<V>{zero, zero, zero}, one, width, height);
   }

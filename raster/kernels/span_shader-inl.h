@@ -54,7 +54,7 @@ class SpanShader {
     const FragmentState& state = *chunk_->state;
     any_depth_ = AnyDepth(state.depth, *key_);
     if (key_->blending == Blending::constant) blend_constant_ = BlendConstant(state.blend);
-    color_ = kRecordVaryings + state.varyings.color;
+    color_ = kRecordVaryings + state.varyings.at(Meaning::color);
     interpolations_ = quantities_a_fragment(state.varyings);
   }
 

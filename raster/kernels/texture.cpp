@@ -19,6 +19,7 @@ class TextureSampler {
   TextureSampler(const FragmentBatch& batch, int unit, const SampleLevels& levels)
       : batch_(batch),
         number_(unit),
+        kind_(texcoord_kind(*batch.state, unit)),
         texture_(*batch.state->texture_units[number_].texture),
         levels_(levels) {}
 
@@ -38,13 +39,12 @@ class TextureSampler {
  private:
   HWY_INLINE Coordinates coordinates(int i) const {
     const F d;
-    const int v = batch_.state->varyings.texcoord[number_];
+    const int v = batch_.state->varyings.at(Meaning::texcoord, number_);
     const auto s = hn::LoadU(d, batch_.varying[v] + i);
     const auto t = hn::LoadU(d, batch_.varying[v + 1] + i);
-    const TexcoordKind kind = batch_.state->varyings.texcoord_kind[number_];
-    if (kind == TexcoordKind::plain) return coordinates_2d(s, t, texture_.options());
+    if (kind_ == TexcoordKind::plain) return coordinates_2d(s, t, texture_.options());
     const auto r = hn::LoadU(d, batch_.varying[v + 2] + i);
-    if (kind == TexcoordKind::cube) return coordinates_cube(s, t, r);
+    if (kind_ == TexcoordKind::direct) return coordinates_cube(s, t, r);
     return coordinates_2d(hn::Div(s, r), hn::Div(t, r), texture_.options());
   }
 
@@ -101,6 +101,7 @@ class TextureSampler {
 
   const FragmentBatch& batch_;
   const int number_;
+  const TexcoordKind kind_;
   const Texture& texture_;
   const SampleLevels& levels_;
   bool any_linear_ = false;

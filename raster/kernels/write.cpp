@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using M = hn::Mask<F>;
 
-void add_specular(FragmentBatch& batch) {
+void AddSecondary(FragmentBatch& batch) {
   const F d;
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
@@ -48,10 +48,10 @@ HWY_INLINE V fog_factor(const FogState& fog, V distance) {
   return clamp01(f);
 }
 
-void apply_fog(FragmentBatch& batch) {
+void ApplyFog(FragmentBatch& batch) {
   const F d;
   const FogState& fog = batch.state->fog;
-  const float* distances = batch.varying[batch.state->varyings.fog];
+  const float* distances = batch.varying[batch.state->varyings.at(Meaning::fog)];
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V f = fog_factor(fog, hn::Abs(hn::LoadU(d, distances + i)));
     for (int c = 0; c < 3; ++c) {
@@ -181,8 +181,6 @@ void store_batch(const KernelKey& key, const FragmentBatch& batch, TileSurface& 
 }
 
 void WriteFragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface) {
-  if (batch.state->separate_specular) add_specular(batch);
-  if (batch.state->fog.enabled) apply_fog(batch);
   if (key.surface == ColorFormat::rgba32f) return store_batch<FloatColors>(key, batch, surface);
   if (key.hides) return store_opaque8(key, batch, surface);
   store_batch<ByteColors>(key, batch, surface);
@@ -194,7 +192,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace barrido::raster {
 
+HWY_EXPORT(AddSecondary);
+HWY_EXPORT(ApplyFog);
 HWY_EXPORT(WriteFragments);
+
+void add_secondary(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(AddSecondary)(batch); }
+
+void apply_fog(FragmentBatch& batch) { HWY_DYNAMIC_DISPATCH(ApplyFog)(batch); }
 
 void write_fragments(const KernelKey& key, FragmentBatch& batch, TileSurface& surface) {
   HWY_DYNAMIC_DISPATCH(WriteFragments)(key, batch, surface);

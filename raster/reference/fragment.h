@@ -1,13 +1,20 @@
 // The one fragment that the reference shades at a time.
 #pragma once
 
-#include "raster/fragments/fragment_batch.h"
+#include "raster/fragments/fragment_state.h"
+#include "raster/reference/arithmetic.h"
 
 namespace barrido::raster::reference {
 
-/// A batch of one, as illumination functions want it, and what the texture units need beside.
-struct Fragment : FragmentBatch {
+struct Fragment {
+  const FragmentState* state = nullptr;
+  bool back_facing = false;
+  float depth = 0.0f;
   float lod[kMaxTextureUnits] = {};  ///< λ before the unit's bias (OpenGL 1.3, section 3.8.8).
+  float varying[kMaxVaryings] = {};  ///< Interpolated and perspective-corrected; then what stages compute.
+  Color color{};                     ///< The primitive's where it is flat; then what the stages make of it.
+  Color specular{};                  ///< Secondary colour; no alpha.
+  Color primary{};                   ///< As the texture units get it.
 };
 
 }  // namespace barrido::raster::reference

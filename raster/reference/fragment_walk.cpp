@@ -4,7 +4,6 @@
 
 #include "raster/reference/arithmetic.h"
 #include "raster/reference/level_of_detail.h"
-#include "raster/reference/shading.h"
 
 namespace barrido::raster::reference {
 namespace {
@@ -32,34 +31,30 @@ bool is_beside(const PrimitiveRecord& p, const PixelWindow& window) {
 }
 
 /// State, facing and the primitive's own colours. Colours that no varying gives are the flat ones.
-void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, Fragment& batch) {
-  batch.state = chunk.state;
-  batch.back_facing = (primitive.flat_and_facing & kBackFacing) != 0;
-  batch.count = 1;
-  batch.run_count = 1;
+void begin_fragment(const PrimitiveChunk& chunk, const PrimitiveRecord& primitive, Fragment& fragment) {
+  fragment.state = chunk.state;
+  fragment.back_facing = (primitive.flat_and_facing & kBackFacing) != 0;
   FlatColors flat{{0, 0, 0, 0}, {0, 0, 0}};
   const std::uint32_t flat_index = primitive.flat_and_facing & ~kBackFacing;
   if (flat_index < chunk.flat.size()) flat = chunk.flat[flat_index];
-  for (int c = 0; c < 4; ++c) batch.color[c][0] = flat.color[c];
-  for (int c = 0; c < 3; ++c) batch.specular[c][0] = flat.specular[c];
+  std::copy_n(flat.color, 4, fragment.color.begin());
+  std::copy_n(flat.specular, 3, fragment.specular.begin());
 }
 
 /// Depth, varyings and levels of detail at pixel x of a span.
-void interpolate_at(const SpanQuantities& along, int x, int y, Fragment& batch) {
-  const VaryingLayout& layout = batch.state->varyings;
+void interpolate_at(const SpanQuantities& along, int x, Fragment& fragment) {
+  const VaryingList& varyings = fragment.state->varyings;
   const auto distance = static_cast<float>(x - along.anchor);
-  batch.runs[0] = {static_cast<std::int16_t>(x % kTileWidth), static_cast<std::int16_t>(y % kTileHeight), 0,
-                   1};
-  batch.depth[0] = clamp_to_unit(along.quantities[kRecordDepth].at(distance));
+  fragment.depth = clamp_to_unit(along.quantities[kRecordDepth].at(distance));
   const float q = maximum(along.quantities[kRecordQ].at(distance), 1e-30f);
   const float w = 1.0f / q;
-  for (int k = 0; k < layout.count; ++k) {
+  for (int k = 0; k < varyings.count; ++k) {
     const float value = along.quantities[static_cast<std::size_t>(kRecordVaryings + k)].at(distance);
-    batch.varying[k][0] = k < layout.affine_count ? value : value * w;
+    fragment.varying[k] = k < varyings.affine_count ? value : value * w;
   }
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    batch.lod[unit] =
-        is_unit_active(*batch.state, unit) ? level_of_detail(*batch.state, unit, along, x) : 0.0f;
+    fragment.lod[unit] =
+        has_picture(*fragment.state, unit) ? level_of_detail(*fragment.state, unit, along, x) : 0.0f;
   }
 }
 
@@ -97,9 +92,9 @@ void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize 
   });
 }
 
-void interpolate(const FragmentPlace& place, Fragment& batch) {
-  begin_fragment(place.chunk, place.primitive, batch);
-  interpolate_at(place.along, place.x, place.y, batch);
+void interpolate(const FragmentPlace& place, Fragment& fragment) {
+  begin_fragment(place.chunk, place.primitive, fragment);
+  interpolate_at(place.along, place.x, fragment);
 }
 
 float interpolated_depth(const FragmentPlace& place) {

@@ -40,8 +40,8 @@ void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize 
 void for_each_span(std::span<const PrimitiveChunk* const> chunks, FrameSize frame, const PixelWindow& window,
                    const std::function<void(const FragmentPlace&)>& visit);
 
-/// A batch of the one fragment: state, facing, flat colours, depth, varyings and levels of detail.
-void interpolate(const FragmentPlace& place, Fragment& batch);
+/// The fragment: state, facing, flat colours, depth, varyings and levels of detail.
+void interpolate(const FragmentPlace& place, Fragment& fragment);
 
 /// The fragment's depth alone; as interpolate() gives it.
 float interpolated_depth(const FragmentPlace& place);

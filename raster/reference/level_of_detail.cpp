@@ -46,15 +46,14 @@ CoordinateSlopes cube_slopes(const Sloped (&direction)[3]) {
   return {slopes.ux * 0.5f, slopes.uy * 0.5f, slopes.vx * 0.5f, slopes.vy * 0.5f};
 }
 
-CoordinateSlopes coordinate_slopes(const VaryingLayout& layout, int unit, const SpanQuantities& along,
+CoordinateSlopes coordinate_slopes(const FragmentState& state, int unit, const SpanQuantities& along,
                                    float distance) {
-  const auto index = static_cast<std::size_t>(unit);
-  const int texcoord = layout.texcoord[index];
+  const int texcoord = state.varyings.at(Meaning::texcoord, unit);
   const SpanQuantity* first = &along.quantities[static_cast<std::size_t>(kRecordVaryings + texcoord)];
   const Sloped s = sloped_at(first[0], distance);
   const Sloped t = sloped_at(first[1], distance);
-  switch (layout.texcoord_kind[index]) {
-    case TexcoordKind::cube: {
+  switch (texcoord_kind(state, unit)) {
+    case TexcoordKind::direct: {
       const Sloped direction[3] = {s, t, sloped_at(first[2], distance)};
       return cube_slopes(direction);
     }
@@ -65,7 +64,7 @@ CoordinateSlopes coordinate_slopes(const VaryingLayout& layout, int unit, const 
     case TexcoordKind::plain:
       break;
   }
-  if (texcoord < layout.affine_count) return {s.dx, s.dy, t.dx, t.dy};
+  if (texcoord < state.varyings.affine_count) return {s.dx, s.dy, t.dx, t.dy};
   const Sloped q = sloped_at(along.quantities[kRecordQ], distance);
   return quotient_slopes(s, t, q, 1.0f / maximum(q.value, 1e-30f));
 }
@@ -78,7 +77,7 @@ float level_of_detail(const FragmentState& state, int unit, const SpanQuantities
   const float group_center = static_cast<float>(x & ~3) + 1.5f;
   const float distance = minimum(maximum(group_center, anchor), last) - anchor;
 
-  const CoordinateSlopes slopes = coordinate_slopes(state.varyings, unit, along, distance);
+  const CoordinateSlopes slopes = coordinate_slopes(state, unit, along, distance);
   const Texture& texture = *state.texture_units[static_cast<std::size_t>(unit)].texture;
   const auto width = static_cast<float>(texture.width());
   const auto height = static_cast<float>(texture.height());

@@ -1,7 +1,5 @@
 #include "raster/reference/reference_rasterizer.h"
 
-#include <memory>
-
 #include "raster/reference/canvas.h"
 #include "raster/reference/fragment_operations.h"
 #include "raster/reference/fragment_walk.h"
@@ -12,13 +10,13 @@ namespace barrido::raster::reference {
 void rasterize(std::span<const PrimitiveChunk* const> chunks, const ClearValues& clear,
                Framebuffer& framebuffer) {
   Canvas canvas(framebuffer.options(), clear);
-  const auto batch = std::make_unique<Fragment>();
+  Fragment fragment;
   for_each_fragment(chunks, {framebuffer.width(), framebuffer.height()}, {}, [&](const FragmentPlace& place) {
     const FragmentState& state = *place.chunk.state;
     if (!is_inside_scissor(state.scissor, place.x, place.y)) return;
-    interpolate(place, *batch);
-    const Color color = shade_fragment(*batch);
-    canvas.apply(state, place.x, place.y, color, batch->depth[0]);
+    interpolate(place, fragment);
+    const Color color = shade_fragment(fragment);
+    canvas.apply(state, place.x, place.y, color, fragment.depth);
   });
   canvas.store(framebuffer);
 }

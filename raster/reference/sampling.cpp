@@ -31,7 +31,7 @@ Place cube_place(const float (&direction)[3]) {
 
 Place place_of(TexcoordKind kind, const float (&coordinates)[3]) {
   switch (kind) {
-    case TexcoordKind::cube:
+    case TexcoordKind::direct:
       return cube_place(coordinates);
     case TexcoordKind::projective:
       return {0, sane_coordinate(coordinates[0] / coordinates[2]),

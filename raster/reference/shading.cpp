@@ -15,71 +15,28 @@ Color clamped(Color color) {
   return color;
 }
 
-/// Colours from the varyings, where the primitive has them, or from the illumination function.
-void light_fragment(Fragment& batch) {
-  const FragmentState& state = *batch.state;
-  const VaryingLayout& layout = state.varyings;
-  if (layout.color != kAbsent) {
-    for (int c = 0; c < 4; ++c) batch.color[c][0] = batch.varying[layout.color + c][0];
-  }
-  if (layout.specular != kAbsent) {
-    for (int c = 0; c < 3; ++c) batch.specular[c][0] = batch.varying[layout.specular + c][0];
-  }
-  if (state.illumination.function != nullptr) {
-    state.illumination.function(state.illumination.parameters, batch);
-  }
-}
-
-Color sample_unit(const Fragment& batch, int unit, UnitTrace* trace) {
-  const auto index = static_cast<std::size_t>(unit);
-  const VaryingLayout& layout = batch.state->varyings;
-  const TexcoordKind kind = layout.texcoord_kind[index];
+/// The unit's texel: of its picture, or of the procedure in its place.
+Color texel_of(const Fragment& fragment, int unit, UnitTrace* trace) {
+  const TextureUnit& state = fragment.state->texture_units[static_cast<std::size_t>(unit)];
+  const VaryingList& varyings = fragment.state->varyings;
   float coordinates[3] = {0, 0, 0};
-  const int count = kind == TexcoordKind::plain ? 2 : 3;
-  for (int k = 0; k < count; ++k) coordinates[k] = batch.varying[layout.texcoord[index] + k][0];
+  std::copy_n(fragment.varying + varyings.at(Meaning::texcoord, unit),
+              varyings.floats(Meaning::texcoord, unit), coordinates);
   if (trace != nullptr) {
     trace->unit = unit;
     std::copy_n(coordinates, 3, trace->coordinates);
-    trace->lod = batch.lod[unit];
+    trace->lod = fragment.lod[unit];
   }
-  return sample_texture(batch.state->texture_units[index], kind, coordinates, batch.lod[unit],
-                        trace != nullptr ? &trace->sample : nullptr);
-}
-
-Color apply_texture_units(const Fragment& batch, const Color& primary, ShadingTrace* trace) {
-  const FragmentState& state = *batch.state;
-  Color color = primary;
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (!is_unit_active(state, unit)) continue;
-    UnitTrace* remembered = trace != nullptr ? &trace->units.emplace_back() : nullptr;
-    const UnitInputs inputs{sample_unit(batch, unit, remembered), primary, color};
-    const Color result =
-        apply_texture_environment(state.texture_units[static_cast<std::size_t>(unit)], inputs);
-    color = state.clamp_colors ? clamped(result) : result;
-    if (remembered != nullptr) {
-      remembered->previous = inputs.previous;
-      remembered->result = result;
-      remembered->color = color;
-    }
+  if (state.procedure == nullptr) {
+    return sample_texture(state, texcoord_kind(*fragment.state, unit), coordinates, fragment.lod[unit],
+                          trace != nullptr ? &trace->sample : nullptr);
   }
-  return color;
-}
-
-Color apply_fog(const FogState& fog, float distance, Color color, ShadingTrace* trace) {
-  const float f = fog_fraction(fog, distance);
-  for (std::size_t c = 0; c < 3; ++c) color[c] = f * color[c] + (1.0f - f) * fog.color[c];
-  if (trace != nullptr) trace->fog = FogTrace{distance, f, color};
-  return color;
+  const Color texel = state.procedure->scalar(state, coordinates, trace);
+  if (trace != nullptr) trace->sample.color = texel;
+  return texel;
 }
 
 }  // namespace
-
-bool is_unit_active(const FragmentState& state, int unit) {
-  const auto index = static_cast<std::size_t>(unit);
-  const Texture* texture = state.texture_units[index].texture;
-  if (texture == nullptr || state.varyings.texcoord[index] == kAbsent) return false;
-  return texture->is_cube() == (state.varyings.texcoord_kind[index] == TexcoordKind::cube);
-}
 
 float fog_fraction(const FogState& fog, float distance) {
   constexpr float kLog2E = 1.44269504f;
@@ -100,36 +57,66 @@ float fog_fraction(const FogState& fog, float distance) {
   return clamp_to_unit(f);
 }
 
-Color shade_fragment(Fragment& batch, ShadingTrace* trace) {
-  const FragmentState& state = *batch.state;
-  light_fragment(batch);
-  Color primary{};
-  Color secondary{};
-  for (std::size_t c = 0; c < 4; ++c) primary[c] = batch.color[c][0];
-  for (std::size_t c = 0; c < 3; ++c) secondary[c] = batch.specular[c][0];
+void take_colors(const FragmentStage&, Fragment& fragment, ShadingTrace* trace) {
+  const FragmentState& state = *fragment.state;
+  if (!is_lit(state)) {
+    const auto take = [&](Meaning meaning, Color& color) {
+      const VaryingList& varyings = state.varyings;
+      std::copy_n(fragment.varying + std::max(varyings.at(meaning), 0), varyings.floats(meaning),
+                  color.data());
+    };
+    take(Meaning::color, fragment.color);
+    take(Meaning::specular, fragment.specular);
+  }
   if (trace != nullptr) {
-    trace->lit_primary = primary;
-    trace->lit_secondary = secondary;
+    trace->lit_primary = fragment.color;
+    trace->lit_secondary = fragment.specular;
   }
   if (state.clamp_colors) {
-    primary = clamped(primary);
-    secondary = clamped(secondary);
+    fragment.color = clamped(fragment.color);
+    fragment.specular = clamped(fragment.specular);
   }
+  fragment.primary = fragment.color;
   if (trace != nullptr) {
-    trace->primary = primary;
-    trace->secondary = secondary;
+    trace->primary = fragment.color;
+    trace->secondary = fragment.specular;
   }
-  Color color = apply_texture_units(batch, primary, trace);
-  if (state.separate_specular) {
-    for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] + secondary[c];
-    if (state.clamp_colors) color = clamped(color);
-    if (trace != nullptr) trace->sum = color;
+}
+
+void apply_texture(const FragmentStage& stage, Fragment& fragment, ShadingTrace* trace) {
+  const FragmentState& state = *fragment.state;
+  UnitTrace* remembered = trace != nullptr ? &trace->units.emplace_back() : nullptr;
+  const UnitInputs inputs{texel_of(fragment, stage.unit, remembered), fragment.primary, fragment.color};
+  const Color result =
+      apply_texture_environment(state.texture_units[static_cast<std::size_t>(stage.unit)], inputs);
+  fragment.color = state.clamp_colors ? clamped(result) : result;
+  if (remembered != nullptr) {
+    remembered->previous = inputs.previous;
+    remembered->result = result;
+    remembered->color = fragment.color;
   }
-  if (state.fog.enabled && state.varyings.fog != kAbsent) {
-    color = apply_fog(state.fog, std::fabs(batch.varying[state.varyings.fog][0]), color, trace);
-  }
-  if (trace != nullptr) trace->color = color;
-  return color;
+}
+
+void add_secondary(const FragmentStage&, Fragment& fragment, ShadingTrace* trace) {
+  Color& color = fragment.color;
+  for (std::size_t c = 0; c < 3; ++c) color[c] = color[c] + fragment.specular[c];
+  if (fragment.state->clamp_colors) color = clamped(color);
+  if (trace != nullptr) trace->sum = color;
+}
+
+void apply_fog(const FragmentStage&, Fragment& fragment, ShadingTrace* trace) {
+  const FogState& fog = fragment.state->fog;
+  Color& color = fragment.color;
+  const float distance = std::fabs(fragment.varying[fragment.state->varyings.at(Meaning::fog)]);
+  const float f = fog_fraction(fog, distance);
+  for (std::size_t c = 0; c < 3; ++c) color[c] = f * color[c] + (1.0f - f) * fog.color[c];
+  if (trace != nullptr) trace->fog = FogTrace{distance, f, color};
+}
+
+Color shade_fragment(Fragment& fragment, ShadingTrace* trace) {
+  for (const FragmentStage& stage : fragment.state->stages) stage.kind->scalar(stage, fragment, trace);
+  if (trace != nullptr) trace->color = fragment.color;
+  return fragment.color;
 }
 
 }  // namespace barrido::raster::reference

@@ -1,7 +1,5 @@
 #include "raster/reference/trace.h"
 
-#include <memory>
-
 #include "raster/reference/canvas.h"
 #include "raster/reference/fragment_operations.h"
 #include "raster/reference/fragment_walk.h"
@@ -32,17 +30,17 @@ PixelTrace trace_pixel(std::span<const PrimitiveChunk* const> chunks, const Clea
   PixelTrace pixel;
   pixel.clear = canvas.color(0, 0);
   pixel.clear_depth = canvas.depth(0, 0);
-  const auto batch = std::make_unique<Fragment>();
+  Fragment fragment;
   for_each_fragment(
       chunks, {frame.width, frame.height}, {{x, x + 1}, {y, y + 1}}, [&](const FragmentPlace& place) {
         FragmentTrace& trace = pixel.fragments.emplace_back(begin_trace(place));
         if (trace.outside_scissor) return;
         const FragmentState& state = *place.chunk.state;
-        interpolate(place, *batch);
+        interpolate(place, fragment);
         trace.q = place.along.quantities[kRecordQ].at(static_cast<float>(x - place.along.anchor));
-        for (int k = 0; k < state.varyings.count; ++k) trace.varyings.push_back(batch->varying[k][0]);
-        const Color color = shade_fragment(*batch, &trace.shading);
-        canvas.apply(state, 0, 0, color, batch->depth[0], &trace.fate);
+        for (int k = 0; k < state.varyings.count; ++k) trace.varyings.push_back(fragment.varying[k]);
+        const Color color = shade_fragment(fragment, &trace.shading);
+        canvas.apply(state, 0, 0, color, fragment.depth, &trace.fate);
       });
   Framebuffer stored(one);
   canvas.store(stored);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "raster/fragments/primitive.h"
@@ -44,15 +45,22 @@ struct SampleTrace {
   Color color{};
 };
 
+/// Numbers that a stage or a procedure tells beside the records below.
+struct Note {
+  std::string_view name;
+  std::vector<float> values;
+};
+
 /// One texture unit's part in a fragment.
 struct UnitTrace {
   int unit = 0;
   float coordinates[3] = {0, 0, 0};  ///< As interpolated: (s, t), (s, t, q) or a direction.
   float lod = 0.0f;                  ///< λ without the bias.
-  SampleTrace sample;
-  Color previous{};  ///< What the unit got.
-  Color result{};    ///< What its environment made of it, before clamping.
-  Color color{};     ///< What the next one gets.
+  SampleTrace sample;                ///< Of a procedure only its colour.
+  std::vector<Note> notes;           ///< Of a procedure.
+  Color previous{};                  ///< What the unit got.
+  Color result{};                    ///< What its environment made of it, before clamping.
+  Color color{};                     ///< What the next one gets.
 };
 
 struct FogTrace {
@@ -71,6 +79,7 @@ struct ShadingTrace {
   std::optional<Color> sum;  ///< With the secondary colour, where it is added after texturing.
   std::optional<FogTrace> fog;
   Color color{};
+  std::vector<Note> notes;  ///< Of stages that have no record of their own.
 };
 
 /// What the tests and the frame did with a fragment. Later stages are not reached by fragments that fail.

@@ -3,20 +3,22 @@
 namespace barrido::raster {
 namespace {
 
-bool is_textured(const FragmentState& state) {
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (is_active(state, unit)) return true;
+/// Whether the stages make nothing of the colours that vertices or primitives have, but their sum.
+bool keeps_colors(const FragmentState& state) {
+  for (const FragmentStage& stage : state.stages) {
+    if (stage.kind != &kTakeColors && stage.kind != &kAddSecondary) return false;
   }
-  return false;
+  return true;
 }
 
 /// Whether the primary colour reaches no result, because the first texture takes its place.
 bool primary_is_replaced(const FragmentState& state) {
   const TextureUnit* first = nullptr;
-  for (int unit = kMaxTextureUnits - 1; unit >= 0; --unit) {
-    if (!is_active(state, unit)) continue;
-    first = &state.texture_units[unit];
-    if (first->env_mode == TextureEnvMode::combine) return false;
+  for (const FragmentStage& stage : state.stages) {
+    if (stage.kind != &kApplyTexture) continue;
+    const TextureUnit& unit = state.texture_units[static_cast<std::size_t>(stage.unit)];
+    if (unit.env_mode == TextureEnvMode::combine) return false;
+    if (first == nullptr) first = &unit;
   }
   return first != nullptr && first->env_mode == TextureEnvMode::replace;
 }
@@ -41,12 +43,12 @@ Blending blending_of(const BlendState& blend) {
 }
 
 ColorWay color_way(const FragmentState& state, ColorFormat surface, Blending blending) {
-  if (surface != ColorFormat::rgba8 || is_textured(state) || state.illumination.function != nullptr ||
-      state.fog.enabled || state.alpha_test.enabled || !all_channels(state.color_mask)) {
+  if (surface != ColorFormat::rgba8 || !keeps_colors(state) || state.alpha_test.enabled ||
+      !all_channels(state.color_mask)) {
     return ColorWay::batch;
   }
-  const bool is_flat =
-      state.varyings.color == kAbsent && (state.varyings.specular == kAbsent || !state.separate_specular);
+  const bool is_flat = !state.varyings.has(Meaning::color) &&
+                       (!state.varyings.has(Meaning::specular) || !state.separate_specular);
   if (is_flat) return blending == Blending::replace ? ColorWay::flat : ColorWay::batch;
   return state.separate_specular || blending == Blending::general ? ColorWay::batch : ColorWay::smooth;
 }
@@ -77,16 +79,17 @@ KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface) {
   key.hides = is_opaque(state);
   key.small = small_triangles(state, key);
   if (key.colors != ColorWay::batch) {
-    key.divides_color = key.colors == ColorWay::smooth && state.varyings.color >= state.varyings.affine_count;
+    key.divides_color =
+        key.colors == ColorWay::smooth && state.varyings.at(Meaning::color) >= state.varyings.affine_count;
     return key;
   }
-  const bool is_lit = state.illumination.function != nullptr;
+  const bool lit = is_lit(state);
   key.takes_primary = !primary_is_replaced(state);
-  key.fills_primary = !is_lit && state.varyings.color == kAbsent && key.takes_primary;
-  key.fills_secondary = !is_lit && state.varyings.specular == kAbsent && state.separate_specular;
-  key.unit_colors = state.clamp_colors && !state.fog.enabled;
+  key.fills_primary = !lit && !state.varyings.has(Meaning::color) && key.takes_primary;
+  key.fills_secondary = !lit && !state.varyings.has(Meaning::specular) && state.separate_specular;
+  key.unit_colors = state.clamp_colors && state.stages.back().kind->clamps;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (is_active(state, unit) && needs_lod(state.texture_units[unit])) key.lod_units |= 1u << unit;
+    if (has_picture(state, unit) && needs_lod(state.texture_units[unit])) key.lod_units |= 1u << unit;
   }
   return key;
 }

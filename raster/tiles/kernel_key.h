@@ -85,8 +85,7 @@ inline constexpr KernelKeyFact kKernelKeyFacts[] = {
     {"range", false, "whether depths and colours need clamping is known at the ends of a span"},
     {"factors", false, "of blending: numbers, unless they stay in registers: see blending"},
     {"color_mask", false, "one mask of bits for all pixels; no mask is part of being opaque: see hides"},
-    {"fog", false, "a step over whole batches, taken or not: no loop has it inside; it leads to colors"},
-    {"illumination", false, "a function over whole batches; that there is one leads to colors"},
+    {"stages", false, "each works on whole batches: no loop has one inside; which there are leads to colors"},
     {"texture_units", false, "texel formats, filters and environments choose inside a unit's own step"},
     {"exposure, tone map", false, "meet finished tiles: resolve.h"},
 };

@@ -63,7 +63,7 @@ struct PreparedBatch {
     geometry = draw.mesh.geometry();
     plan = std::make_unique<pipeline::DrawPlan>(draw.state, geometry,
                                                 pipeline::FrameSize{scene.width, scene.height}, counters);
-    std::memset(static_cast<void*>(batch.get()), 0, sizeof *batch);
+    std::memset(static_cast<void*>(batch), 0, sizeof *batch);
     batch->state = &plan->fragment;
     batch->count = raster::kBatchCapacity;
   }
@@ -78,7 +78,8 @@ struct PreparedBatch {
   pipeline::Geometry geometry;
   pipeline::FragmentCounters counters;
   std::unique_ptr<pipeline::DrawPlan> plan;
-  std::unique_ptr<raster::FragmentBatch> batch = std::make_unique<raster::FragmentBatch>();
+  std::unique_ptr<raster::TileWorkspace> workspace = std::make_unique<raster::TileWorkspace>();
+  raster::FragmentBatch* batch = &workspace->batch;
 };
 
 /// Packed levels of a fragment half way between levels 0 and 1.
@@ -99,7 +100,7 @@ void texture_filter(benchmark::State& state, raster::MinFilter filter) {
   if (filter == raster::MinFilter::nearest) options.mag_filter = raster::MagFilter::nearest;
   const ScenePair scene = ground_layers({}, options);
   PreparedBatch prepared(scene);
-  const int at = prepared.plan->fragment.varyings.texcoord[0];
+  const int at = prepared.plan->fragment.varyings.at(raster::Meaning::texcoord);
   prepared.set(at, 0.1f, 1.4f / 1024);
   prepared.set(at + 1, 0.3f, 0.2f / 1024);
   const auto levels = std::make_unique<raster::SampleLevels>();
@@ -126,14 +127,14 @@ void phong_fragment(benchmark::State& state) {
   const ScenePair scene = ellipsoid({}, options);
   PreparedBatch prepared(scene);
   const raster::FragmentState& fragment = prepared.plan->fragment;
-  prepared.set(fragment.varyings.normal, -0.2f, 0.003f);
-  prepared.set(fragment.varyings.normal + 1, 0.1f, 0.001f);
-  prepared.set(fragment.varyings.normal + 2, 0.9f, 0.0f);
-  if (fragment.varyings.eye_position != raster::kAbsent) {
-    prepared.set(fragment.varyings.eye_position + 2, -9.0f, 0.0f);
-  }
+  const int normal = fragment.varyings.at(raster::Meaning::normal);
+  prepared.set(normal, -0.2f, 0.003f);
+  prepared.set(normal + 1, 0.1f, 0.001f);
+  prepared.set(normal + 2, 0.9f, 0.0f);
+  const int position = fragment.varyings.at(raster::Meaning::eye_position);
+  if (position != raster::kAbsent) prepared.set(position + 2, -9.0f, 0.0f);
   for (auto _ : state) {
-    fragment.illumination.function(fragment.illumination.parameters, *prepared.batch);
+    fragment.stages.front().kind->vector(fragment.stages.front(), *prepared.workspace);
     benchmark::ClobberMemory();
   }
   report_pixels(state, raster::kBatchCapacity);

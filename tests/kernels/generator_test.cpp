@@ -22,7 +22,7 @@ void see_unit(Seen& seen, const FragmentState& state, std::size_t index) {
   const TextureUnit& unit = state.texture_units[index];
   if (unit.texture == nullptr) return;
   see(seen, "unit", index);
-  see(seen, "kind", state.varyings.texcoord_kind[index]);
+  see(seen, "kind", texcoord_kind(state, static_cast<int>(index)));
   const std::string kind = unit.texture->is_cube() ? "cube " : "2d ";
   see(seen, kind + "filters and format",
       static_cast<int>(unit.min_filter) * 4 + static_cast<int>(unit.mag_filter) * 2 +
@@ -59,7 +59,7 @@ void see_state(Seen& seen, const FragmentState& state) {
   see(seen, "offset", state.polygon_offset.enabled);
   see(seen, "separate specular", state.separate_specular);
   see(seen, "clamp colors", state.clamp_colors);
-  see(seen, "colours", state.varyings.color >= 0 ? 0 : state.illumination.function != nullptr ? 1 : 2);
+  see(seen, "colours", state.varyings.has(Meaning::color) ? 0 : is_lit(state) ? 1 : 2);
   see(seen, "affine",
       state.varyings.affine_count == 0                     ? 0
       : state.varyings.affine_count < state.varyings.count ? 1

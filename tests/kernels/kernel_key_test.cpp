@@ -109,7 +109,7 @@ struct StateField {
 const std::vector<StateField>& state_fields() {
   static const std::vector<StateField> fields{
       {"varyings", {"colors", "divides_color", "fills_primary", "fills_secondary"}, nullptr},
-      {"illumination", {"illumination", "colors"}, [](FragmentState& s) { s.illumination.parameters = &s; }},
+      {"stages", {"stages", "colors"}, [](FragmentState& s) { s.stages.front().parameters = &s; }},
       {"texture_units",
        {"texture_units", "colors", "takes_primary", "lod_units"},
        [](FragmentState& s) {
@@ -121,7 +121,7 @@ const std::vector<StateField>& state_fields() {
       {"separate_specular", {"colors", "fills_secondary"}, nullptr},
       {"clamp_colors", {"unit_colors"}, nullptr},
       {"fog",
-       {"fog", "unit_colors"},
+       {"stages"},
        [](FragmentState& s) {
          s.fog.mode = FogMode::linear;
          s.fog.color[0] = 0.25f;

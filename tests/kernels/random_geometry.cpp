@@ -87,7 +87,7 @@ class GeometryBuilder {
   }
 
   std::uint32_t add_vertex(float depth) {
-    const VaryingLayout& layout = chunk_.state->varyings;
+    const VaryingList& layout = chunk_.state->varyings;
     const auto stride = static_cast<std::size_t>(record_stride(layout.count));
     const std::size_t first = chunk_.own_records.size();
     chunk_.own_records.resize(first + stride);

@@ -1,47 +1,20 @@
 #include "random_state.h"
 
-#include <cmath>
+#include <utility>
 
-#include "raster/fragments/fragment_batch.h"
+#include "compile_stages.h"
+#include "test_stages.h"
 
 namespace barrido::raster::testing {
 namespace {
 
-/// Stands in for the pipeline's illumination: colours from the normal, the facing and the depth gradient of
-/// the batch's varyings, each fragment for itself.
-void illuminate(const void* parameters, FragmentBatch& batch) {
-  const int normal = *static_cast<const int*>(parameters);
-  const float side = batch.back_facing ? -0.5f : 1.0f;
-  for (int i = 0; i < batch.count; ++i) {
-    const float x = batch.varying[normal][i];
-    const float y = batch.varying[normal + 1][i];
-    const float z = batch.varying[normal + 2][i];
-    const float length = std::sqrt((x * x + y * y) + z * z) + 1.0f;
-    batch.color[0][i] = side * x / length;
-    batch.color[1][i] = side * y / length + 0.25f;
-    batch.color[2][i] = z;
-    batch.color[3][i] = 1.0f / length;
-    for (int c = 0; c < 3; ++c) batch.specular[c][i] = batch.color[c][i] * batch.color[c][i];
-  }
-}
-
-/// The offsets a normal can have in the layouts below; the illumination's parameters point here.
-constexpr int kNormalAt[kMaxVaryings] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
-                                         13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25};
-
-/// A group of varyings of a layout and where its offset is to be written.
-struct Group {
-  int* offset;
-  int size;
-};
-
-void random_unit(RandomBits& random, const TexturePool& textures, int index, FragmentState& state) {
+/// @return the kind of the unit's coordinates.
+TexcoordKind random_unit(RandomBits& random, const TexturePool& textures, int index, FragmentState& state) {
   const auto slot = static_cast<std::size_t>(index);
   TextureUnit& unit = state.texture_units[slot];
   const auto kind =
-      random.pick({TexcoordKind::plain, TexcoordKind::plain, TexcoordKind::projective, TexcoordKind::cube});
-  state.varyings.texcoord_kind[slot] = kind;
-  unit.texture = kind == TexcoordKind::cube ? &textures.cube(random) : &textures.flat(random);
+      random.pick({TexcoordKind::plain, TexcoordKind::plain, TexcoordKind::projective, TexcoordKind::direct});
+  unit.texture = kind == TexcoordKind::direct ? &textures.cube(random) : &textures.flat(random);
   unit.min_filter = random.one_of_first<MinFilter>(6);
   unit.mag_filter = random.one_of_first<MagFilter>(2);
   unit.lod_bias = random.chance(40) ? random.number(-3.0f, 3.0f) : 0.0f;
@@ -55,38 +28,37 @@ void random_unit(RandomBits& random, const TexturePool& textures, int index, Fra
     }
     channel->scale = random.pick({1.0f, 1.0f, 2.0f, 4.0f});
   }
+  if (random.chance(10)) unit.procedure = kind == TexcoordKind::plain ? &kRings2 : &kRings3;
+  return kind;
 }
 
 /// Colours, coordinates and fog in any order, any number of the first ones linear on the screen.
-void random_layout(RandomBits& random, FragmentState& state) {
-  VaryingLayout& layout = state.varyings;
+/// @return whether fragments are lit.
+bool random_varyings(RandomBits& random, const std::array<TexcoordKind, kMaxTextureUnits>& kinds,
+                     FragmentState& state) {
   const bool lit = random.chance(20);
-  std::vector<Group> groups;
+  std::vector<Varying> groups;
   if (lit) {
-    groups.push_back({&layout.normal, 3});
+    groups.push_back({Meaning::normal, 3});
   } else if (random.chance(60)) {
-    groups.push_back({&layout.color, 4});
-    if (random.chance(60)) groups.push_back({&layout.specular, 3});
+    groups.push_back({Meaning::color, 4});
+    if (random.chance(60)) groups.push_back({Meaning::specular, 3});
   }
-  if (state.fog.enabled) groups.push_back({&layout.fog, 1});
+  if (state.fog.enabled) groups.push_back({Meaning::fog, 1});
   for (std::size_t unit = 0; unit < kMaxTextureUnits; ++unit) {
     if (state.texture_units[unit].texture == nullptr) continue;
-    groups.push_back({&layout.texcoord[unit], layout.texcoord_kind[unit] == TexcoordKind::plain ? 2 : 3});
+    groups.push_back({Meaning::texcoord, floats_of(kinds[unit]), static_cast<int>(unit)});
   }
   for (std::size_t k = groups.size(); k > 1; --k) {
     std::swap(groups[k - 1], groups[static_cast<std::size_t>(random.between(0, static_cast<int>(k) - 1))]);
   }
   const int affine_groups = random.chance(50) ? 0 : random.between(0, static_cast<int>(groups.size()));
   int placed = 0;
-  for (const Group& group : groups) {
-    *group.offset = layout.count;
-    layout.count += group.size;
-    if (++placed == affine_groups) layout.affine_count = layout.count;
+  for (const Varying& group : groups) {
+    state.varyings.add(group);
+    if (++placed == affine_groups) state.varyings.affine_count = state.varyings.count;
   }
-  if (lit) {
-    state.illumination.function = illuminate;
-    state.illumination.parameters = &kNormalAt[layout.normal];
-  }
+  return lit;
 }
 
 void random_tests(RandomBits& random, int frame_width, int frame_height, FragmentState& state) {
@@ -128,7 +100,7 @@ std::string describe_unit(const FragmentState& state, std::size_t index) {
   const TextureUnit& unit = state.texture_units[index];
   const Texture& t = *unit.texture;
   return " unit" + std::to_string(index) + "{" + std::to_string(t.width()) + "x" +
-         std::to_string(t.height()) + " kind=" + number_of(state.varyings.texcoord_kind[index]) +
+         std::to_string(t.height()) + " kind=" + number_of(texcoord_kind(state, static_cast<int>(index))) +
          " format=" + number_of(t.format()) + " levels=" + std::to_string(t.level_count()) +
          " wrap=" + number_of(t.options().wrap_s) + "," + number_of(t.options().wrap_t) +
          " min=" + number_of(unit.min_filter) + " mag=" + number_of(unit.mag_filter) +
@@ -142,32 +114,37 @@ std::string describe_unit(const FragmentState& state, std::size_t index) {
 FragmentState random_state(RandomBits& random, const TexturePool& textures, bool opaque, int frame_width,
                            int frame_height) {
   FragmentState state;
+  std::array<TexcoordKind, kMaxTextureUnits> kinds{};
   const int units = random.chance(35) ? 0 : random.between(1, kMaxTextureUnits);
   for (int unit = 0; unit < units; ++unit) {
-    if (random.chance(85)) random_unit(random, textures, unit, state);
+    if (random.chance(85)) kinds[static_cast<std::size_t>(unit)] = random_unit(random, textures, unit, state);
   }
   state.fog = {random.chance(35),         random.one_of_first<FogMode>(3), random.number(0.0f, 2.0f),
                random.number(0.0f, 1.0f), random.number(1.0f, 4.0f),       random.color(0.0f, 1.0f)};
-  random_layout(random, state);
+  const bool lit = random_varyings(random, kinds, state);
   state.separate_specular = random.chance(30);
   state.clamp_colors = random.chance(60);
   random_tests(random, frame_width, frame_height, state);
   if (!opaque) random_output(random, state);
+  static constexpr FragmentStage kLights[] = {{.kind = &kBendNormal}, {.kind = &kTestLight}};
+  const bool bent = lit && random.chance(50);
+  compile_stages(state, std::span(kLights).subspan(bent ? 0 : 1, lit ? (bent ? 2 : 1) : 0));
+  if (random.chance(10)) state.stages.push_back({.kind = &kInvert});
   return state;
 }
 
 FragmentState random_simple_state(RandomBits& random, int frame_width, int frame_height) {
   FragmentState state;
   if (random.chance(65)) {
-    state.varyings.color = 0;
-    state.varyings.count = 4;
+    state.varyings.add({Meaning::color, 4});
     state.varyings.affine_count = random.chance(30) ? 4 : 0;
   }
   random_tests(random, frame_width, frame_height, state);
   if (random.chance(70)) state.depth = {true, true, Compare::less};
   if (random.chance(70)) state.polygon_offset.enabled = false;
   state.clamp_colors = random.chance(80);
-  state.separate_specular = state.varyings.color == kAbsent && random.chance(50);
+  state.separate_specular = !state.varyings.has(Meaning::color) && random.chance(50);
+  compile_stages(state);
   if (random.chance(70)) return state;
   state.blend.enabled = true;
   state.blend.constant = random.color(0.0f, 1.0f);
@@ -182,8 +159,7 @@ FragmentState random_simple_state(RandomBits& random, int frame_width, int frame
 std::string describe(const FragmentState& s) {
   std::string text =
       "varyings=" + std::to_string(s.varyings.count) + " affine=" + std::to_string(s.varyings.affine_count) +
-      " color=" + std::to_string(s.varyings.color) +
-      " lit=" + std::to_string(s.illumination.function != nullptr) +
+      " color=" + std::to_string(s.varyings.at(Meaning::color)) + " lit=" + std::to_string(is_lit(s)) +
       " separate=" + std::to_string(s.separate_specular) + " clamp=" + std::to_string(s.clamp_colors);
   text += s.depth.test ? " depth{" + number_of(s.depth.compare) + (s.depth.write ? " write}" : "}") : "";
   text += s.alpha_test.enabled ? " alpha{" + number_of(s.alpha_test.compare) + "}" : "";

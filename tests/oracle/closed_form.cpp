@@ -3,32 +3,50 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/oracle/illumination.h"
+
 namespace barrido::oracle {
 namespace {
 
-glm::dvec3 to_light(const OracleLight& light, const glm::dvec3& p) {
-  const glm::dvec3 position(light.position);
-  return glm::normalize(light.position.w == 0.0 ? position : position - p);
+pipeline::Light light_of(const OracleLight& light) {
+  pipeline::Light out;
+  out.diffuse = out.specular = glm::vec4(light.color, 1.0f);
+  out.position = light.position;
+  out.constant_attenuation = static_cast<float>(light.kc);
+  out.linear_attenuation = static_cast<float>(light.kl);
+  out.quadratic_attenuation = static_cast<float>(light.kq);
+  return out;
 }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
+pipeline::Lighting lighting_of(const OracleModel& model) {
+  pipeline::Lighting lighting;
+  lighting.enabled = true;
+  lighting.ambient = glm::vec4(model.ambient, 1.0f);
+  lighting.local_viewer = model.local_viewer;
+  lighting.specular_model = model.phong ? pipeline::SpecularModel::phong : pipeline::SpecularModel::blinn;
+  for (const OracleLight& light : model.lights) lighting.lights.push_back(light_of(light));
+  lighting.front.ambient = glm::vec4(model.material.ka, 1.0f);
+  lighting.front.diffuse = glm::vec4(model.material.kd, 1.0f);
+  lighting.front.specular = glm::vec4(model.material.ks, 1.0f);
+  lighting.front.shininess = static_cast<float>(model.material.n);
+  return lighting;
+}
+
 double attenuation(const OracleLight& light, const glm::dvec3& p) {
-  if (light.position.w == 0.0) return 1.0;
-  const double d = glm::length(glm::dvec3(light.position) - p);
-  return 1.0 / (light.kc + light.kl * d + light.kq * d * d);
+  const pipeline::Light of = light_of(light);
+  double distance = 0.0;
+  const glm::dvec3 l = direction(of, p, distance);
+  return factor(of, l, distance);
 }
 
 Dots dots_at(const OracleModel& model, const OracleLight& light, const glm::dvec3& p, const glm::dvec3& n) {
-  const glm::dvec3 l = to_light(light, p);
-  const glm::dvec3 v = model.local_viewer ? glm::normalize(-p) : glm::dvec3(0, 0, 1);
-  Dots dots;
-  dots.diffuse = glm::dot(n, l);
-  const glm::dvec3 r = 2.0 * glm::dot(n, l) * n - l;
-  dots.highlight = model.phong ? glm::dot(r, v) : glm::dot(n, glm::normalize(l + v));
-  return dots;
+  double distance = 0.0;
+  const glm::dvec3 l = direction(light_of(light), p, distance);
+  return {glm::dot(n, l), highlight(lighting_of(model), n, l, p)};
 }
 
 double highlight_of(const Dots& dots, double exponent) {
@@ -36,14 +54,7 @@ double highlight_of(const Dots& dots, double exponent) {
 }
 
 glm::dvec3 illuminated(const OracleModel& model, const glm::dvec3& p, const glm::dvec3& n) {
-  const OracleMaterial& m = model.material;
-  glm::dvec3 sum = model.ambient * m.ka;
-  for (const OracleLight& light : model.lights) {
-    const Dots dots = dots_at(model, light, p, n);
-    sum += attenuation(light, p) * light.color *
-           (m.kd * std::max(dots.diffuse, 0.0) + m.ks * highlight_of(dots, m.n));
-  }
-  return sum;
+  return illuminate(lighting_of(model), {n, p}).primary;
 }
 
 OracleMesh::OracleMesh(std::vector<glm::dvec3> positions, std::vector<std::uint32_t> indices,

@@ -1,5 +1,6 @@
-// The course's formulas in double precision, written down once more and independently of the renderer: what
-// every pixel ought to be. Enters: lights, materials, points; leaves: colours. Shares no code with pipeline/.
+// What every pixel of a picture ought to be, in double precision and independently of the renderer: the
+// course's notation for the equation of illumination.h, and triangles by projecting every pixel. Enters:
+// lights, materials, points; leaves: colours. Shares no code with pipeline/.
 #pragma once
 
 #include <vector>
@@ -9,6 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include "pipeline/state.h"
 
 namespace barrido::oracle {
 
@@ -30,6 +33,9 @@ struct OracleModel {
   bool phong = false;         ///< (R·V)^n, else (N·H)^n
   bool local_viewer = false;  ///< V to the eye at the origin, else (0, 0, 1)
 };
+
+/// The model as fixed-function state.
+pipeline::Lighting lighting_of(const OracleModel& model);
 
 /// What cheap Phong interpolates for one light: N·L and R·V (or N·H), negative where they are.
 struct Dots {

@@ -57,25 +57,7 @@ glm::dvec4 FloatFrame::at(int x, int window_y) const {
 }
 
 void set_lighting(pipeline::State& state, const OracleModel& model) {
-  pipeline::Lighting& lighting = state.lighting;
-  lighting.enabled = true;
-  lighting.ambient = glm::vec4(model.ambient, 1.0f);
-  lighting.local_viewer = model.local_viewer;
-  lighting.specular_model = model.phong ? pipeline::SpecularModel::phong : pipeline::SpecularModel::blinn;
-  lighting.lights.clear();
-  for (const OracleLight& light : model.lights) {
-    pipeline::Light out;
-    out.diffuse = out.specular = glm::vec4(light.color, 1.0f);
-    out.position = light.position;
-    out.constant_attenuation = static_cast<float>(light.kc);
-    out.linear_attenuation = static_cast<float>(light.kl);
-    out.quadratic_attenuation = static_cast<float>(light.kq);
-    lighting.lights.push_back(out);
-  }
-  lighting.front.ambient = glm::vec4(model.material.ka, 1.0f);
-  lighting.front.diffuse = glm::vec4(model.material.kd, 1.0f);
-  lighting.front.specular = glm::vec4(model.material.ks, 1.0f);
-  lighting.front.shininess = static_cast<float>(model.material.n);
+  state.lighting = lighting_of(model);
   state.clamp_colors = false;
 }
 

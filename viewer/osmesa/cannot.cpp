@@ -26,7 +26,7 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
   const pipeline::ShadingMode& mode = pipeline::shading_mode(state.shade_model);
   const bool at_vertices = lit && !mode.lit.at_fragments;
   const bool flat = lit && mode.lit.flat;
-  const bool is_opengl_model = mode.formula == pipeline::shading_mode(pipeline::ShadeModel::gouraud).formula;
+  const bool is_opengl_model = mode.formula == pipeline::kCourseModel;
   return {
       {lit && lighting.lights.size() > kGlLights, "lights after the eighth"},
       {lit && has_light(lighting, is_soft), "soft cones of light"},

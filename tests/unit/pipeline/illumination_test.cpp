@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "oracle.h"
 #include "pipeline/cheap_phong.h"
 #include "pipeline/vertex_batch.h"
 #include "random_lighting.h"
+#include "tests/oracle/illumination.h"
 
 namespace barrido::pipeline {
 namespace {

@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/draw_plan.h"
+
 namespace barrido::pipeline {
 namespace {
 
 using raster::kAbsent;
+using raster::Meaning;
 using raster::TexcoordKind;
 
 const raster::Texture& flat_texture() {
@@ -36,15 +39,9 @@ struct Case {
     geometry.position = {kValues, 3, 3};
     state.clip_from_eye[2][3] = -1.0f;  // perspective
   }
-  raster::VaryingLayout layout() const {
-    std::optional<Illumination> lit;
-    if (state.lighting.enabled) {
-      const bool has_colors = geometry.color.data != nullptr;
-      lit = compile_illumination(state.lighting, has_colors ? nullptr : &geometry.constant_color);
-    }
-    const Illumination* illumination = lit ? &*lit : nullptr;
-    const ColorOrigin origin = color_origin(state, illumination != nullptr, geometry.color.data != nullptr);
-    return make_layout(varying_needs(state, geometry, origin, illumination));
+  raster::VaryingList layout() const {
+    FragmentCounters counters;
+    return DrawPlan(state, geometry, {64, 64}, counters).fragment.varyings;
   }
   void light(const glm::vec4& position) {
     state.lighting.enabled = true;
@@ -61,9 +58,9 @@ TEST(Layout, GouraudCarriesOneColorOrTwo) {
   c.light({0, 0, 1, 0});
   EXPECT_EQ(c.layout().count, 4);
   c.state.lighting.separate_specular = true;
-  const raster::VaryingLayout layout = c.layout();
+  const raster::VaryingList layout = c.layout();
   EXPECT_EQ(layout.count, 7);
-  EXPECT_EQ(layout.specular, 4);
+  EXPECT_EQ(layout.at(Meaning::specular), 4);
   EXPECT_EQ(layout.affine_count, 0);
 }
 
@@ -123,14 +120,14 @@ TEST(Layout, KindsOfTextureCoordinates) {
   Case c;
   c.state.texture_units[0].texture = &flat_texture();
   c.state.texture_units[2].texture = &cube_texture();
-  raster::VaryingLayout layout = c.layout();
-  EXPECT_EQ(layout.texcoord_kind[0], TexcoordKind::plain);
-  EXPECT_EQ(layout.texcoord[0], 0);
-  EXPECT_EQ(layout.texcoord[1], kAbsent);
-  EXPECT_EQ(layout.texcoord_kind[2], TexcoordKind::cube);
-  EXPECT_EQ(layout.texcoord[2], 2);
+  raster::VaryingList layout = c.layout();
+  EXPECT_EQ(layout.floats(Meaning::texcoord, 0), 2);
+  EXPECT_EQ(layout.at(Meaning::texcoord, 0), 0);
+  EXPECT_EQ(layout.at(Meaning::texcoord, 1), kAbsent);
+  EXPECT_EQ(layout.floats(Meaning::texcoord, 2), 3);
+  EXPECT_EQ(layout.at(Meaning::texcoord, 2), 2);
   EXPECT_EQ(layout.count, 5);
-  const auto kind = [&c] { return c.layout().texcoord_kind[0]; };
+  const auto kind = [&c] { return texcoord_kind(c.state, c.geometry, 0); };
   c.geometry.constant_texcoord[0].w = 2.0f;
   EXPECT_EQ(kind(), TexcoordKind::projective);
   c.geometry.texcoord[0] = {kValues, 2, 2};
@@ -150,18 +147,18 @@ TEST(Layout, WhatIsLinearOnTheScreenComesFirst) {
   c.geometry.color = {kValues, 4, 4};
   c.state.fog.enabled = true;
   c.state.texture_units[0].texture = &flat_texture();
-  raster::VaryingLayout layout = c.layout();
+  raster::VaryingList layout = c.layout();
   EXPECT_EQ(layout.affine_count, 0);
   EXPECT_EQ(layout.count, 7);
   c.state.texture_interpolation = TextureInterpolation::affine;
   layout = c.layout();
-  EXPECT_EQ(layout.texcoord[0], 0);
-  EXPECT_EQ(layout.color, 2);
+  EXPECT_EQ(layout.at(Meaning::texcoord, 0), 0);
+  EXPECT_EQ(layout.at(Meaning::color), 2);
   EXPECT_EQ(layout.affine_count, 2);
   c.state.color_interpolation = ColorInterpolation::screen;
   layout = c.layout();
   EXPECT_EQ(layout.affine_count, 6);
-  EXPECT_EQ(layout.fog, 6);
+  EXPECT_EQ(layout.at(Meaning::fog), 6);
   c.state.clip_from_eye = glm::mat4(1.0f);
   EXPECT_EQ(c.layout().affine_count, 7) << "without perspective everything is";
 }

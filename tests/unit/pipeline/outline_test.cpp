@@ -76,7 +76,7 @@ TEST(Outline, ClosingEdgesAreInterpolatedBetweenTheCutEdges) {
   const std::vector<float> colors{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   geometry.color = {colors.data(), 3, 3};
   const Drawn drawn(state, geometry);
-  const int color = drawn.plan->fragment.varyings.color;
+  const int color = drawn.plan->fragment.varyings.at(raster::Meaning::color);
   const auto channel = [&](std::uint32_t vertex, int c) {
     const float* record = drawn.chunks[0].record(vertex, drawn.vertices.stride);
     return record[raster::kRecordVaryings + color + c] / record[raster::kRecordQ];

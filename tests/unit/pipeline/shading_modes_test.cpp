@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/state.h"
+#include "pipeline/layout.h"
 
 namespace barrido::pipeline {
 namespace {

@@ -1,4 +1,5 @@
 // Every instruction set gives the same bits, from vertex records to fragments lit by the model.
+#include <bit>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -7,7 +8,8 @@
 #include "pipeline/matrix.h"
 #include "random_lighting.h"
 #include "raster/base/simd_target.h"
-#include "raster/fragments/fragment_batch.h"
+#include "raster/reference/fragment.h"
+#include "raster/tiles/tile.h"
 
 namespace barrido::pipeline {
 namespace {
@@ -77,27 +79,37 @@ void expect_same_chunks(const Drawn& a, const Drawn& b) {
   }
 }
 
-/// Fragments whose varyings are the vertices', lit as the rasterizer would have them lit.
+/// Fragments whose varyings are the vertices', lit as the rasterizer would have them lit; and the same one by
+/// one, which must be the same bits.
 std::vector<float> lit_fragments(const Drawn& drawn) {
-  auto batch = std::make_unique<raster::FragmentBatch>();
-  batch->state = &drawn.plan->fragment;
-  batch->count = raster::kBatchCapacity - 3;
-  batch->back_facing = drawn.plan->marks_back_faces;
+  const raster::FragmentState& state = drawn.plan->fragment;
+  std::vector<float> colors;
+  if (!raster::is_lit(state)) return colors;
+  auto workspace = std::make_unique<raster::TileWorkspace>();
+  raster::FragmentBatch& batch = workspace->batch;
+  batch.state = &state;
+  batch.count = raster::kBatchCapacity - 3;
+  batch.back_facing = drawn.plan->marks_back_faces;
   for (int i = 0; i < raster::kBatchStride; ++i) {
     const auto vertex = static_cast<std::uint32_t>(i) % drawn.vertices.count;
-    for (int v = 0; v < drawn.plan->fragment.varyings.count; ++v) {
-      batch->varying[v][i] = drawn.record(vertex)[raster::kRecordVaryings + v];
+    for (int v = 0; v < state.varyings.count; ++v) {
+      batch.varying[v][i] = drawn.record(vertex)[raster::kRecordVaryings + v];
     }
   }
-  std::vector<float> colors;
-  const raster::FragmentIllumination& illumination = drawn.plan->fragment.illumination;
-  if (illumination.function == nullptr) return colors;
-  illumination.function(illumination.parameters, *batch);
-  for (int i = 0; i < batch->count; ++i) {
-    for (auto& channel : batch->color) colors.push_back(channel[i]);
-    for (auto& channel : batch->specular) {
-      if (drawn.plan->fragment.separate_specular) colors.push_back(channel[i]);
-    }
+  const raster::FragmentStage& light = state.stages.front();
+  light.kind->vector(light, *workspace);
+  for (int i = 0; i < batch.count; ++i) {
+    raster::reference::Fragment one;
+    one.state = &state;
+    one.back_facing = batch.back_facing;
+    for (int v = 0; v < state.varyings.count; ++v) one.varying[v] = batch.varying[v][i];
+    light.kind->scalar(light, one, nullptr);
+    const auto add = [&](float vector, float scalar) {
+      EXPECT_EQ(std::bit_cast<std::uint32_t>(vector), std::bit_cast<std::uint32_t>(scalar));
+      colors.push_back(vector);
+    };
+    for (std::size_t c = 0; c < 4; ++c) add(batch.color[c][i], one.color[c]);
+    for (std::size_t c = 0; state.separate_specular && c < 3; ++c) add(batch.specular[c][i], one.specular[c]);
   }
   return colors;
 }

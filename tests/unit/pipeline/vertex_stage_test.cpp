@@ -133,7 +133,7 @@ TEST(VertexStage, NormalsAndPositionsForPhong) {
     state.normalize = round % 3 == 1;
     state.rescale_normal = round % 3 == 2;
     const Drawn drawn(state, v.geometry);
-    const raster::VaryingLayout& layout = drawn.plan->fragment.varyings;
+    const raster::VaryingList& varyings = drawn.plan->fragment.varyings;
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(state.eye_from_object));
     const double rescale = 1.0 / glm::length(glm::dvec3(inverse[0].z, inverse[1].z, inverse[2].z));
     for (std::uint32_t i = 0; i < kVertices; ++i) {
@@ -142,11 +142,12 @@ TEST(VertexStage, NormalsAndPositionsForPhong) {
       if (state.rescale_normal) n *= rescale;
       const glm::dvec3 p = eye_point(state, v, static_cast<int>(i));
       for (int k = 0; k < 3; ++k) {
-        ASSERT_NEAR(drawn.varying(i, layout.normal + k), n[k], 1e-5);
-        ASSERT_NEAR(drawn.varying(i, layout.eye_position + k), p[k], 1e-5);
+        ASSERT_NEAR(drawn.varying(i, varyings.at(raster::Meaning::normal) + k), n[k], 1e-5);
+        ASSERT_NEAR(drawn.varying(i, varyings.at(raster::Meaning::eye_position) + k), p[k], 1e-5);
       }
       for (int k = 0; k < 4; ++k) {
-        ASSERT_NEAR(drawn.varying(i, layout.color + k), v.color(static_cast<int>(i))[k], 1e-6);
+        ASSERT_NEAR(drawn.varying(i, varyings.at(raster::Meaning::color) + k),
+                    v.color(static_cast<int>(i))[k], 1e-6);
       }
     }
   }
@@ -198,7 +199,7 @@ TEST(VertexStage, GeneratesAndTransformsTextureCoordinates) {
       for (int c = 0; c < 4; ++c) rules.matrix[c] = random.vec4(-1, 1);
     }
     const Drawn drawn(state, v.geometry);
-    const int offset = drawn.plan->fragment.varyings.texcoord[0];
+    const int offset = drawn.plan->fragment.varyings.at(raster::Meaning::texcoord);
     for (std::uint32_t i = 0; i < kVertices; ++i) {
       glm::dvec4 expected = v.texcoord(static_cast<int>(i));
       for (int axis = 0; axis < 4; ++axis) {
@@ -220,7 +221,7 @@ TEST(VertexStage, FogIsTheDistanceAlongTheLineOfSight) {
   state.fog.enabled = true;
   const Drawn drawn(state, v.geometry);
   for (std::uint32_t i = 0; i < kVertices; ++i) {
-    EXPECT_NEAR(drawn.varying(i, drawn.plan->fragment.varyings.fog),
+    EXPECT_NEAR(drawn.varying(i, drawn.plan->fragment.varyings.at(raster::Meaning::fog)),
                 eye_point(state, v, static_cast<int>(i)).z, 1e-5);
   }
 }
@@ -233,7 +234,7 @@ TEST(VertexStage, AbsentArraysGiveTheConstants) {
   state.texture_units[0].texture = &texture();
   const Drawn drawn(state, geometry);
   EXPECT_TRUE(drawn.plan->has_constant_color());
-  const int offset = drawn.plan->fragment.varyings.texcoord[0];
+  const int offset = drawn.plan->fragment.varyings.at(raster::Meaning::texcoord);
   EXPECT_EQ(drawn.varying(2, offset), 0.25f);
   EXPECT_EQ(drawn.varying(2, offset + 1), 0.5f);
 }

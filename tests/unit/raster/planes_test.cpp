@@ -12,7 +12,7 @@ struct Fixture {
   PrimitiveChunk chunk;
 
   Fixture(Topology topology, const std::vector<std::array<float, 3>>& values) {
-    state.varyings.count = 1;
+    state.varyings.add({Meaning::fog, 1});
     chunk.state = &state;
     chunk.topology = topology;
     const auto stride = static_cast<std::size_t>(record_stride(1));

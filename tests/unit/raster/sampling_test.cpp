@@ -214,7 +214,7 @@ TEST(Sampling, CubeFacesByMajorAxis) {
       {{0, 0, 0}, 0, false},        {{-0.0f, 0, 0}, 0, false},
   };
   for (const auto& row : table) {
-    const Color color = sample_texture(unit, TexcoordKind::cube, row.direction, -1.0f);
+    const Color color = sample_texture(unit, TexcoordKind::direct, row.direction, -1.0f);
     EXPECT_NEAR(color[0] * 255.0f, 40 * row.face, 1e-3);
     EXPECT_EQ(color[1] > 0.99f, row.marked)
         << row.direction[0] << " " << row.direction[1] << " " << row.direction[2];
@@ -237,8 +237,8 @@ TEST(Sampling, CoordinatesThatAreNoNumbersCountAsZero) {
     }
     EXPECT_EQ(sample_texture(unit, TexcoordKind::projective, {1, 1, 0}, 1.0f), zero);
     unit.texture = &cube;
-    sample_texture(unit, TexcoordKind::cube, {nan, infinity, 0}, 1.0f);
-    sample_texture(unit, TexcoordKind::cube, {infinity, infinity, infinity}, nan);
+    sample_texture(unit, TexcoordKind::direct, {nan, infinity, 0}, 1.0f);
+    sample_texture(unit, TexcoordKind::direct, {infinity, infinity, infinity}, nan);
   }
 }
 

@@ -6,10 +6,11 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <span>
 
 #include "random_texels.h"
 #include "raster/reference/level_of_detail.h"
+#include "tests/kernels/compile_stages.h"
 
 namespace barrido::raster::reference {
 namespace {
@@ -36,19 +37,19 @@ TEST(Fog, LiteralTable) {
 /// One fragment of a state with colour (4 varyings), secondary colour (3), fog (1) and coordinates (2).
 struct Fragment {
   FragmentState state;
-  std::unique_ptr<reference::Fragment> batch = std::make_unique<reference::Fragment>();
+  reference::Fragment fragment;
 
-  Fragment() {
-    state.varyings.color = 0;
-    state.varyings.specular = 4;
-    state.varyings.fog = 7;
-    state.varyings.count = 10;
-    batch->state = &state;
-    batch->count = 1;
+  explicit Fragment(std::initializer_list<Varying> varyings = {{Meaning::color, 4},
+                                                               {Meaning::specular, 3},
+                                                               {Meaning::fog, 1},
+                                                               {Meaning::texcoord, 2, 1}}) {
+    for (const Varying& varying : varyings) state.varyings.add(varying);
+    fragment.state = &state;
   }
-  Color shade(const std::array<float, 10>& varyings) {
-    for (std::size_t k = 0; k < varyings.size(); ++k) batch->varying[k][0] = varyings[k];
-    return shade_fragment(*batch);
+  Color shade(const std::array<float, 10>& varyings, std::span<const FragmentStage> before = {}) {
+    raster::testing::compile_stages(state, before);
+    std::copy(varyings.begin(), varyings.end(), fragment.varying);
+    return shade_fragment(fragment);
   }
 };
 
@@ -77,44 +78,42 @@ TEST(Shading, FogLeavesAlpha) {
 }
 
 TEST(Shading, FlatColoursStayWhenNoVaryingCarriesThem) {
-  Fragment f;
-  f.state.varyings.color = kAbsent;
-  f.state.varyings.specular = kAbsent;
+  Fragment f({});
   f.state.separate_specular = true;
-  for (int c = 0; c < 4; ++c) f.batch->color[c][0] = 0.25f;
-  for (int c = 0; c < 3; ++c) f.batch->specular[c][0] = 0.5f;
+  f.fragment.color = {0.25f, 0.25f, 0.25f, 0.25f};
+  f.fragment.specular = {0.5f, 0.5f, 0.5f};
   EXPECT_EQ(f.shade({9, 9, 9, 9, 9, 9, 9}), (Color{0.75f, 0.75f, 0.75f, 0.25f}));
 }
 
-TEST(Shading, IlluminationWritesTheColours) {
-  Fragment f;
-  f.state.varyings.color = kAbsent;
+TEST(Shading, LightWritesTheColours) {
+  static constexpr StageKind kHalf{
+      .name = "half",
+      .reads = set_of(Meaning::normal),
+      .writes = set_of(Meaning::color),
+      .scalar =
+          [](const FragmentStage& stage, reference::Fragment& fragment, ShadingTrace*) {
+            const float gain = *static_cast<const float*>(stage.parameters);
+            for (std::size_t c = 0; c < 4; ++c) fragment.color[c] = gain * fragment.varying[c];
+          },
+      .story = "halves"};
   const float gain = 0.5f;
-  f.state.illumination.parameters = &gain;
-  f.state.illumination.function = [](const void* parameters, FragmentBatch& batch) {
-    for (int i = 0; i < batch.count; ++i) {
-      for (int c = 0; c < 4; ++c) {
-        batch.color[c][i] = *static_cast<const float*>(parameters) * batch.varying[c][i];
-      }
-    }
-  };
-  EXPECT_EQ(f.shade({1, 0.5f, 0.25f, 2}), (Color{0.5f, 0.25f, 0.125f, 1}));
+  const FragmentStage light{.kind = &kHalf, .parameters = &gain};
+  Fragment f;
+  EXPECT_EQ(f.shade({1, 0.5f, 0.25f, 2}, {&light, 1}), (Color{0.5f, 0.25f, 0.125f, 1}));
 }
 
-TEST(Shading, AUnitOfTheWrongKindIsOff) {
+TEST(Shading, AUnitWithoutCoordinatesIsOff) {
   const auto rgba = raster::testing::random_rgba(4, 4, 1);
   const Texture texture = Texture::make_2d({4, 4, rgba}, {});
-  Fragment f;
+  Fragment f({{Meaning::color, 4}});
   f.state.texture_units[1].texture = &texture;
   f.state.texture_units[1].env_mode = TextureEnvMode::replace;
-  EXPECT_FALSE(is_unit_active(f.state, 0));
-  EXPECT_FALSE(is_unit_active(f.state, 1));
   EXPECT_EQ(f.shade({1, 1, 1, 1}), (Color{1, 1, 1, 1}));
-  f.state.varyings.texcoord[1] = 8;
-  EXPECT_TRUE(is_unit_active(f.state, 1));
+  EXPECT_FALSE(is_active(f.state, 0));
+  EXPECT_FALSE(is_active(f.state, 1));
+  f.state.varyings.add({Meaning::texcoord, 2, 1});
   EXPECT_NE(f.shade({1, 1, 1, 1}), (Color{1, 1, 1, 1}));
-  f.state.varyings.texcoord_kind[1] = TexcoordKind::cube;
-  EXPECT_FALSE(is_unit_active(f.state, 1));
+  EXPECT_TRUE(is_active(f.state, 1));
 }
 
 /// Quantities of a span from pixel 10 to 20: depth, q, then three coordinates.
@@ -127,13 +126,12 @@ TEST(LevelOfDetail, TexelsPerPixel) {
   const Texture texture = Texture::make_2d({64, 32, rgba}, {});
   FragmentState state;
   state.texture_units[0].texture = &texture;
-  state.varyings.texcoord[0] = 0;
-  state.varyings.count = 3;
+  state.varyings.add({Meaning::texcoord, 2});
   const SpanQuantity one{1.0f, 0.0f, 0.0f};
   // 4 texels a pixel along x, 2 along y: the larger counts.
   const auto affine = coordinates_along(one, {0.1f, 0.0625f, 0.0f}, {0.2f, 0.0f, 0.0625f});
   EXPECT_EQ(level_of_detail(state, 0, affine, 12), 2.0f);
-  state.varyings.affine_count = 3;
+  state.varyings.affine_count = 2;
   EXPECT_EQ(level_of_detail(state, 0, affine, 12), 2.0f);
   state.varyings.affine_count = 0;
   // Constant coordinates: as small as λ gets. No numbers: as large.
@@ -147,14 +145,13 @@ TEST(LevelOfDetail, PerspectiveFollowsTheQuotientRule) {
   const Texture texture = Texture::make_2d({64, 64, rgba}, {});
   FragmentState state;
   state.texture_units[0].texture = &texture;
-  state.varyings.texcoord[0] = 0;
-  state.varyings.count = 3;
   const SpanQuantity q{0.5f, 0.01f, -0.02f};
   const SpanQuantity s{0.3f, 0.03f, 0.01f};
   const SpanQuantity t{0.2f, -0.01f, 0.05f};
   // The same at q and at the third coordinate of a projective texture.
   for (const TexcoordKind kind : {TexcoordKind::plain, TexcoordKind::projective}) {
-    state.varyings.texcoord_kind[0] = kind;
+    state.varyings = {};
+    state.varyings.add({Meaning::texcoord, floats_of(kind)});
     for (const int x : {10, 11, 12, 15, 16, 19, 20}) {
       const double center = std::min(std::max((x & ~3) + 1.5, 10.0), 20.0) - 10.0;
       const auto u_at = [&](double dx, double dy) {
@@ -179,9 +176,7 @@ TEST(LevelOfDetail, CubeFacesSpanTwoUnits) {
   const Texture cube = Texture::make_cube(faces, {});
   FragmentState state;
   state.texture_units[0].texture = &cube;
-  state.varyings.texcoord[0] = 0;
-  state.varyings.texcoord_kind[0] = TexcoordKind::cube;
-  state.varyings.count = 3;
+  state.varyings.add({Meaning::texcoord, 3});
   // On face −Z, ma = −2 and constant: 0.5·(dx 1)/2 · 16 = 4 texels a pixel.
   const auto along = coordinates_along({1, 0, 0}, {-1.0f, 1.0f, 0.0f}, {0, 0, 0.25f}, {-2, 0, 0});
   EXPECT_EQ(level_of_detail(state, 0, along, 10), 2.0f);

@@ -1,5 +1,6 @@
 // The illumination equation evaluated plainly, in double precision and with the C library, straight from the
-// state: what illuminate() is compared with.
+// state: the one oracle that kernels and pictures are compared with. Knows the state's structs and shares no
+// code with pipeline/.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,13 @@
 
 #include "pipeline/state.h"
 
-namespace barrido::pipeline::oracle {
+namespace barrido::oracle {
+
+using pipeline::ColorMaterial;
+using pipeline::Light;
+using pipeline::Lighting;
+using pipeline::Material;
+using pipeline::SpecularModel;
 
 struct Color {
   glm::dvec3 primary{0};
@@ -115,4 +122,4 @@ inline Color illuminate(const Lighting& lighting, const Point& point) {
   return color;
 }
 
-}  // namespace barrido::pipeline::oracle
+}  // namespace barrido::oracle
