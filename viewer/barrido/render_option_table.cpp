@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "viewer/barrido/mode_list.h"
 #include "viewer/barrido/option_fields.h"
 #include "viewer/barrido/render_values.h"
 
@@ -105,12 +106,11 @@ constexpr RenderOption kOutputOptions[] = {
            flag<&Options::quiet>()),
 };
 
+constexpr ModeList kShadingHelp("", false,
+                                ", several with commas between, or all; a frame for each. Default phong.");
+
 constexpr RenderOption kShadingOptions[] = {
-    option(
-        "--shading", "LIST", kPicture,
-        "flat, gouraud, cheap-phong, phong, several with commas between, or all; a frame for each. Default "
-        "phong.",
-        choices<&Options::shadings>(), widget("shading")),
+    option("--shading", "LIST", kPicture, kShadingHelp, choices<&Options::shadings>(), widget("shading")),
     option("--flat-at", "PLACE", kPicture,
            "Where flat polygons are lit: centroid (default) or provoking (vertex, as OpenGL).",
            choice<&Settings::flat_at>(), widget("flat, lit at")),

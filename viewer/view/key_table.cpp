@@ -1,5 +1,6 @@
 #include "viewer/view/key_table.h"
 
+#include "viewer/barrido/mode_list.h"
 #include "viewer/barrido/render_option_table.h"
 #include "viewer/barrido/text_format.h"
 #include "viewer/view/commands.h"
@@ -41,8 +42,10 @@ constexpr KeyBinding kCamera[] = {
      [](Viewer& v) { v.toggle_orthographic(); }},
 };
 
+constexpr cli::ModeList kNextMode("next: ", true, "");
+
 constexpr KeyBinding kShading[] = {
-    {"Shading", key_of('S'), kPlain, "S", "next: flat, Gouraud, cheap Phong, Phong", step("--shading")},
+    {"Shading", key_of('S'), kPlain, "S", kNextMode, step("--shading")},
     {"Shading", key_of('S'), kShift, "Shift+S", "previous", step("--shading", -1)},
     {"Shading", key_of('B'), kPlain, "B", "highlights: N·H (Blinn) or R·V (Phong)", step("--lighting")},
     {"Shading", key_of('O'), kPlain, "O", "colours: perspective or linear on the screen",
