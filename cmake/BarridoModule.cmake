@@ -21,3 +21,30 @@ function(barrido_module target)
   target_compile_options(${target} PRIVATE -fno-tree-vectorize)
   barrido_warnings(${target})
 endfunction()
+
+# barrido_loaded_module(NAME SOURCES...): a shared object that is loaded on demand (pipeline/files/module_loader.h).
+function(barrido_loaded_module target)
+  add_library(${target} MODULE ${ARGN})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  set_target_properties(${target} PROPERTIES
+    PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${BARRIDO_MODULE_BUILD_DIR})
+  barrido_warnings(${target})
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/barrido)
+endfunction()
+
+# barrido_module_library(OPTION FOUND WHAT DEBIAN LOST RESULT): whether to build the module whose cache option is
+# OPTION (AUTO, ON or OFF) and whose library was FOUND; tells what is LOST without it.
+function(barrido_module_library option found what debian lost result)
+  set(${result} FALSE PARENT_SCOPE)
+  if(${option} STREQUAL "OFF")
+    return()
+  endif()
+  if(${found})
+    set(${result} TRUE PARENT_SCOPE)
+  elseif(${option} STREQUAL "AUTO")
+    message(STATUS "${what} not found: ${lost}")
+  else()
+    message(FATAL_ERROR "${option} is ON, but ${what} was not found (Debian: ${debian})")
+  endif()
+endfunction()

@@ -31,8 +31,8 @@ void print(const char* name, const barrido::raster::Framebuffer& frame) {
     ++seen;
   }
   const double count = seen > 0 ? static_cast<double>(seen) : 1.0;
-  std::printf("%-12s %zu pixels, mean colour %.1f %.1f %.1f, nearest depth %.4f\n", name, seen, sum[0] / count,
-              sum[1] / count, sum[2] / count, static_cast<double>(nearest));
+  std::printf("%-12s %zu pixels, mean colour %.1f %.1f %.1f, nearest depth %.4f\n", name, seen,
+              sum[0] / count, sum[1] / count, sum[2] / count, static_cast<double>(nearest));
 }
 
 }  // namespace

@@ -65,6 +65,11 @@ void Budget::take(std::uint64_t bytes, const std::string& file, const std::strin
   taken_ += bytes;
 }
 
+std::uint64_t Budget::memory_left() const {
+  const std::lock_guard lock(mutex_);
+  return allowed_memory() - std::min(taken_, allowed_memory());
+}
+
 bool Budget::is_late() const {
   const std::chrono::duration<double> spent = now(limits_) - start_;
   const std::lock_guard lock(mutex_);

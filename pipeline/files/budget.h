@@ -37,6 +37,9 @@ class Budget {
   /// not allowed.
   void take(std::uint64_t bytes, const std::string& file, const std::string& place);
 
+  /// Bytes that may still be taken.
+  std::uint64_t memory_left() const;
+
   /// Whether the time is up.
   bool is_late() const;
   /// @throws InputError when the time is up.

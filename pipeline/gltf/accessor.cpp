@@ -31,8 +31,20 @@ bool all_finite(std::span<const float> values) {
   return last && (carries & 0x8000000080000000u) == 0;
 }
 
-/// Elements of an accessor's buffer view; `data` is null where it has none and all numbers are 0.
-Elements base_elements(const Document& document, const tinygltf::Accessor& accessor) {
+/// Elements of an accessor's buffer view, or decoded ones; `data` is null where it has none and all numbers
+/// are 0.
+Elements base_elements(const Document& document, int index) {
+  const tinygltf::Accessor& accessor = document.model().accessors[static_cast<std::size_t>(index)];
+  if (const DecodedAccessor* decoded = document.decoded_accessor(index)) {
+    const std::size_t components =
+        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+    return {decoded->elements.bytes().data(),
+            accessor.count,
+            components * component_bytes(decoded->component_type),
+            static_cast<int>(components),
+            decoded->component_type,
+            accessor.normalized};
+  }
   std::uint64_t view_stride = 0;
   const std::uint8_t* data = nullptr;
   if (accessor.bufferView >= 0) {
@@ -122,9 +134,9 @@ void AccessorReader::require(int accessor, const std::string& place,
   require_bytes(accessor, place);
 }
 
-const std::shared_ptr<const void>& AccessorReader::owner_of(const tinygltf::Accessor& accessor) const {
-  const auto& view = document_.model().bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-  return document_.buffer(view.buffer).owner;
+std::shared_ptr<const void> AccessorReader::owner_of(int accessor) const {
+  const DecodedAccessor* decoded = document_.decoded_accessor(accessor);
+  return decoded != nullptr ? decoded->elements.owner() : document_.view_owner(source(accessor).bufferView);
 }
 
 void AccessorReader::require_bytes(int accessor, const std::string& place) const {
@@ -135,7 +147,7 @@ void AccessorReader::require_bytes(int accessor, const std::string& place) const
     report_.fail(place, element("buffers", static_cast<std::size_t>(view.buffer)) +
                             " has neither a uri nor a binary chunk of a GLB");
   };
-  check(from.bufferView);
+  if (document_.decoded_accessor(accessor) == nullptr) check(from.bufferView);
   if (!from.sparse.isSparse) return;
   check(from.sparse.indices.bufferView);
   check(from.sparse.values.bufferView);
@@ -187,14 +199,14 @@ std::vector<float> AccessorReader::copy_floats(int accessor) {
 
 FloatArray AccessorReader::read_floats(int accessor, int out_components) {
   const tinygltf::Accessor& from = source(accessor);
-  Elements in = base_elements(document_, from);
+  Elements in = base_elements(document_, accessor);
   const std::size_t scalars = in.count * static_cast<std::size_t>(out_components);
   const bool is_packed_float = in.data != nullptr && from.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT &&
                                in.components == out_components &&
                                in.stride == sizeof(float) * static_cast<std::size_t>(in.components) &&
                                is_aligned<float>(in.data);
   if (is_packed_float && !from.sparse.isSparse) {
-    return FloatArray({reinterpret_cast<const float*>(in.data), scalars}, owner_of(from));
+    return FloatArray({reinterpret_cast<const float*>(in.data), scalars}, owner_of(accessor));
   }
   take_scalars(accessor, scalars);
   std::vector<float> values(scalars);
@@ -240,17 +252,17 @@ const CheckedIndices& AccessorReader::indices(int accessor, const std::string& p
 
 IndexArray AccessorReader::read_indices(int accessor) {
   const tinygltf::Accessor& from = source(accessor);
-  const Elements in = base_elements(document_, from);
+  const Elements in = base_elements(document_, accessor);
   const bool is_packed = in.data != nullptr && in.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT &&
                          in.stride == sizeof(std::uint32_t) && is_aligned<std::uint32_t>(in.data);
   if (is_packed && !from.sparse.isSparse) {
-    return IndexArray({reinterpret_cast<const std::uint32_t*>(in.data), in.count}, owner_of(from));
+    return IndexArray({reinterpret_cast<const std::uint32_t*>(in.data), in.count}, owner_of(accessor));
   }
   take_scalars(accessor, in.count);
   std::vector<std::uint32_t> values(in.count);
   if (in.data != nullptr) widen_indices(in, values.data());
   visit_sparse(accessor, [&](std::uint32_t index, const std::uint8_t* value) {
-    values[index] = load_unsigned(value, in.component_type);
+    values[index] = load_unsigned(value, from.componentType);
   });
   return IndexArray(std::move(values));
 }
@@ -258,7 +270,7 @@ IndexArray AccessorReader::read_indices(int accessor) {
 std::vector<std::array<std::uint16_t, 4>> AccessorReader::unsigned_vec4(int accessor,
                                                                         const std::string& place) {
   require(accessor, place, {4}, kUnsignedByte | kUnsignedShort);
-  const Elements in = base_elements(document_, source(accessor));
+  const Elements in = base_elements(document_, accessor);
   take_scalars(accessor, in.count * 4);
   const std::size_t bytes = component_bytes(in.component_type);
   const auto read = [&](const std::uint8_t* element) {

@@ -82,7 +82,7 @@ class AccessorReader {
   void take_scalars(int accessor, std::size_t scalars);
   FloatArray read_floats(int accessor, int out_components);
   IndexArray read_indices(int accessor);
-  const std::shared_ptr<const void>& owner_of(const tinygltf::Accessor& accessor) const;
+  std::shared_ptr<const void> owner_of(int accessor) const;
   FloatArray make_finite(FloatArray array);
   template <typename Visit>
   void visit_sparse(int accessor, Visit visit) const;

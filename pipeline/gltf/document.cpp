@@ -10,7 +10,10 @@
 
 #include "pipeline/gltf/accessor.h"
 #include "pipeline/gltf/check.h"
+#include "pipeline/gltf/compressed_views.h"
+#include "pipeline/gltf/draco_primitives.h"
 #include "pipeline/gltf/forgive.h"
+#include "pipeline/gltf/json_values.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -115,12 +118,16 @@ Content read_uri(const std::filesystem::path& folder, const std::string& uri, co
   return read_regular_file(resolved.path, options.max_file_bytes, options.budget.get(), kind);
 }
 
-/// Which buffers have views.
+/// Which buffers have views. A compressed view's own buffer is only for those who cannot decode it.
 std::vector<bool> viewed_buffers(const json& document, std::size_t count) {
   std::vector<bool> viewed(count);
   const auto views = document.find("bufferViews");
   if (views == document.end()) return viewed;
-  for (const json& view : *views) viewed[view["buffer"].get<std::size_t>()] = true;
+  for (const json& view : *views) {
+    const json* compression = compression_of(view);
+    const auto buffer = whole_number(compression != nullptr ? *compression : view, "buffer");
+    if (buffer && *buffer < count) viewed[static_cast<std::size_t>(*buffer)] = true;
+  }
   return viewed;
 }
 
@@ -157,7 +164,9 @@ Document::Document(Report& report, const std::filesystem::path& path, const Impo
   load_buffers(report, container, file.block);
   parse_model(report);
   view_problems_ = check_views(*this);
+  decoded_views_ = decode_compressed_views(report, *this, view_problems_);
   accessor_problems_ = check_accessors(*this, options.max_vertices);
+  decoded_accessors_ = decode_draco_primitives(report, *this, accessor_problems_);
 }
 
 Document::~Document() = default;
@@ -238,13 +247,24 @@ void Document::warn_of_unused(Report& report) const {
   }
 }
 
-bool Document::has_bytes(int buffer_view) const {
-  return buffer(model_.bufferViews[static_cast<std::size_t>(buffer_view)].buffer).owner != nullptr;
+bool Document::has_bytes(int buffer_view) const { return view_owner(buffer_view) != nullptr; }
+
+std::shared_ptr<const void> Document::view_owner(int buffer_view) const {
+  const auto decoded = decoded_views_.find(buffer_view);
+  if (decoded != decoded_views_.end()) return decoded->second.owner();
+  return buffer(model_.bufferViews[static_cast<std::size_t>(buffer_view)].buffer).owner;
 }
 
 std::span<const std::uint8_t> Document::view_bytes(int buffer_view) const {
   const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(buffer_view)];
+  const auto decoded = decoded_views_.find(buffer_view);
+  if (decoded != decoded_views_.end()) return decoded->second.bytes().first(view.byteLength);
   return buffer(view.buffer).bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+const DecodedAccessor* Document::decoded_accessor(int accessor) const {
+  const auto found = decoded_accessors_.find(accessor);
+  return found == decoded_accessors_.end() ? nullptr : &found->second;
 }
 
 std::size_t Document::image_count() const {
@@ -271,7 +291,7 @@ EncodedImage Document::read_image(std::size_t index) const {
   } else if (view != source.end() && has_bytes(view->get<int>())) {
     const int buffer_view = view->get<int>();
     image.bytes = view_bytes(buffer_view);
-    image.owner = buffer(model_.bufferViews[static_cast<std::size_t>(buffer_view)].buffer).owner;
+    image.owner = view_owner(buffer_view);
   } else {
     image.problem = view != source.end() ? "its buffer has no bytes" : "has neither a uri nor a bufferView";
   }

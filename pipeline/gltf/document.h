@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,6 +40,12 @@ struct Problem {
   std::string place, reason;
 };
 
+/// The elements of an accessor, tightly packed, in place of those that its buffer view holds.
+struct DecodedAccessor {
+  ByteBlock elements;
+  int component_type = 0;
+};
+
 class Document {
  public:
   /// Reads `path` and the buffers it refers to.
@@ -61,8 +68,13 @@ class Document {
   /// Warns of views and accessors with a problem that was not met: nothing that is drawn uses them.
   void warn_of_unused(Report& report) const;
   bool has_bytes(int buffer_view) const;
-  /// Only of a view that has bytes.
+  /// Only of a view that has bytes; decoded where they are compressed.
   std::span<const std::uint8_t> view_bytes(int buffer_view) const;
+  /// What keeps them alive.
+  std::shared_ptr<const void> view_owner(int buffer_view) const;
+
+  /// Null where the accessor's elements are in its buffer view.
+  const DecodedAccessor* decoded_accessor(int accessor) const;
 
   std::size_t image_count() const;
   /// Reads the bytes of one image; may be called from several threads at once.
@@ -79,6 +91,8 @@ class Document {
   tinygltf::Model model_;
   std::vector<Buffer> buffers_;
   std::vector<std::optional<Problem>> view_problems_, accessor_problems_;
+  std::map<int, ByteBlock> decoded_views_;            ///< Of compressed buffer views
+  std::map<int, DecodedAccessor> decoded_accessors_;  ///< Of compressed primitives
 };
 
 }  // namespace barrido::scene::gltf

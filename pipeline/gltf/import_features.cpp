@@ -17,10 +17,29 @@ struct KnownExtension {
 };
 
 constexpr KnownExtension kSupportedExtensions[] = {
+    {"EXT_mesh_gpu_instancing", Support::exact, "each instance is a node"},
+    {"EXT_meshopt_compression", Support::exact, ""},
+    {"EXT_texture_webp", Support::exact, ""},
+    {"KHR_draco_mesh_compression", Support::exact, ""},
     {"KHR_lights_punctual", Support::approximated, "light units become intensities of fixed-function lights"},
+    {"KHR_materials_anisotropy", Support::approximated, "as a round highlight of the same size"},
+    {"KHR_materials_clearcoat", Support::approximated,
+     "as a second highlight and reflection, drawn over the first"},
     {"KHR_materials_emissive_strength", Support::exact, ""},
+    {"KHR_materials_ior", Support::approximated, "as the strength of highlights; nothing is refracted"},
+    {"KHR_materials_iridescence", Support::approximated, "as the colour of highlights at normal incidence"},
+    {"KHR_materials_pbrSpecularGlossiness", Support::approximated,
+     "as k_d, k_s and n; pictures of k_s by their mean"},
+    {"KHR_materials_sheen", Support::approximated, "as a colour added to k_d"},
+    {"KHR_materials_specular", Support::approximated, "as k_s; pictures by their mean"},
+    {"KHR_materials_transmission", Support::approximated, "as blending by its colour, without blur"},
     {"KHR_materials_unlit", Support::exact, "lighting is switched off"},
+    {"KHR_materials_variants", Support::exact, "--variant NAME chooses"},
+    {"KHR_materials_volume", Support::approximated,
+     "as the colour of what is seen through; nothing is refracted"},
     {"KHR_mesh_quantization", Support::exact, ""},
+    {"KHR_meshopt_compression", Support::exact, "but for its own filter and the vertex codec's version 1"},
+    {"KHR_texture_basisu", Support::approximated, "the picture that a file holds beside it is used"},
     {"KHR_texture_transform", Support::exact, "as the texture matrix"},
 };
 

@@ -29,6 +29,7 @@ Scene import_document(Report& report, const Document& document, const ImportOpti
   check_extensions(import);
   import_materials(import);
   import_images(import);
+  import_variants(import);
   import_cameras(import);
   import_lights(import);
   import_meshes(import);

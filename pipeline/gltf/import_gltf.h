@@ -18,7 +18,8 @@ enum ImageRole : unsigned {
   kNormalImage = 4,
   kOcclusionImage = 8,
   kEmissiveImage = 16,
-  kAllImages = 31
+  kLayerImage = 32,  ///< Of extensions that add to the material
+  kAllImages = 63
 };
 
 struct ImportOptions {

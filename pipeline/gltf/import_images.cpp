@@ -27,9 +27,21 @@ void mark(const Scene& scene, const TextureUse& use, std::uint64_t bytes, std::v
   slot = std::max(slot, bytes);
 }
 
+void mark_layers(const Scene& scene, const MaterialLayers& layers, std::vector<std::uint64_t>& used) {
+  if (layers.specular_glossiness) mark(scene, layers.specular_glossiness->texture, kDecodedBytes, used);
+  for (const TextureUse* use :
+       {&layers.specular_texture, &layers.specular_color_texture, &layers.sheen_color_texture,
+        &layers.clearcoat_texture, &layers.clearcoat_roughness_texture, &layers.iridescence_texture,
+        &layers.thickness_texture}) {
+    mark(scene, *use, kDecodedBytes, used);
+  }
+  // Filtered by it and by what it leaves.
+  mark(scene, layers.transmission_texture, 2 * kTextureBytes, used);
+}
+
 /// Images in no other role are looked at by those who want to know what is in the file; nothing is drawn with
 /// them, so that nothing is wrong where they are missing.
-constexpr unsigned kDrawnRoles = kBaseColorImage | kMetallicRoughnessImage | kEmissiveImage;
+constexpr unsigned kDrawnRoles = kBaseColorImage | kMetallicRoughnessImage | kEmissiveImage | kLayerImage;
 
 /// What a pixel of each image will take; 0 for those in none of these roles.
 std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, unsigned roles) {
@@ -41,6 +53,7 @@ std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, 
     }
     if (roles & kNormalImage) mark(import.scene, material.normal_texture, kDecodedBytes, used);
     if (roles & kOcclusionImage) mark(import.scene, material.occlusion_texture, kDecodedBytes, used);
+    if ((roles & kLayerImage) && material.layers) mark_layers(import.scene, *material.layers, used);
     if (roles & kEmissiveImage) mark(import.scene, material.emissive_texture, kTextureBytes, used);
   }
   return used;
@@ -78,6 +91,26 @@ Decoded decode(const Import& import, std::size_t index, std::uint64_t pixel_byte
   }
 }
 
+/// Textures whose picture cannot be read take the one that their file holds beside it.
+void use_fallbacks(Import& import, const std::vector<std::uint64_t>& bytes, std::vector<Decoded>& results) {
+  std::vector<bool> replaced(results.size());
+  for (Texture& texture : import.scene.textures) {
+    if (texture.image == kNone || texture.fallback_image == kNone) continue;
+    const auto image = static_cast<std::size_t>(texture.image),
+               fallback = static_cast<std::size_t>(texture.fallback_image);
+    if (results[image].problem.empty()) continue;
+    if (import.scene.images[fallback].rgba.empty() && results[fallback].problem.empty()) {
+      results[fallback] = decode(import, fallback, bytes[image], import.scene.images[fallback]);
+    }
+    import.report.warn(results[image].problem + "; " + element("images", fallback) + " is used in its place");
+    texture.image = texture.fallback_image;
+    replaced[image] = true;
+  }
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (replaced[i]) results[i].problem.clear();
+  }
+}
+
 /// Pictures within the model's own files are packed as tightly as in files of their own. Many may share
 /// bytes, but no more count than there are.
 void add_embedded(Import& import, const std::vector<std::uint64_t>& used) {
@@ -109,6 +142,7 @@ void import_images(Import& import) {
     if (bytes[i] != 0) results[i] = decode(import, i, bytes[i], import.scene.images[i]);
   };
   tbb::parallel_for(std::size_t{0}, count, decode_one, tbb::simple_partitioner());
+  use_fallbacks(import, bytes, results);
   for (const Decoded& result : results) {
     if (result.limit) std::rethrow_exception(result.limit);
   }

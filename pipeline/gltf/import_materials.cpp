@@ -1,10 +1,11 @@
 // Materials: glTF's metallic-roughness factors and texture uses as they stand (their conversion to fixed
 // function is the renderer's), with KHR_texture_transform, KHR_materials_unlit and
-// KHR_materials_emissive_strength.
+// KHR_materials_emissive_strength; import_layers.cpp has the other extensions.
 #include <algorithm>
 #include <cmath>
 
 #include "pipeline/gltf/import_parts.h"
+#include "pipeline/gltf/values.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene::gltf {
@@ -53,12 +54,30 @@ raster::MagFilter mag_filter_of(Import& import, int value) {
   return raster::MagFilter::linear;
 }
 
+/// EXT_texture_webp and KHR_texture_basisu name another picture; the texture's own is for who cannot read
+/// that.
+void choose_images(Import& import, const tinygltf::Texture& source, Texture& texture) {
+  texture.image = source.source < 0 ? kNone : source.source;
+  const auto images = static_cast<int>(import.document.image_count());
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"}) {
+    const tinygltf::Value& number = member(member(source.extensions, name), "source");
+    if (!number.IsNumber()) continue;
+    const int image = whole_number(number);
+    if (image < 0 || image >= images) {
+      import.report.fail(std::string("textures: ") + name,
+                         "must name an image, and there are " + std::to_string(images));
+    }
+    texture.fallback_image = texture.image;
+    texture.image = image;
+  }
+}
+
 void import_textures(Import& import) {
   const tinygltf::Model& model = import.document.model();
   import.scene.textures.reserve(model.textures.size());
   for (const tinygltf::Texture& source : model.textures) {
     Texture texture;
-    texture.image = source.source < 0 ? kNone : source.source;
+    choose_images(import, source, texture);
     if (source.sampler >= 0) {
       const tinygltf::Sampler& sampler = model.samplers[static_cast<std::size_t>(source.sampler)];
       texture.min_filter = min_filter_of(import, sampler.minFilter);
@@ -71,9 +90,9 @@ void import_textures(Import& import) {
 }
 
 glm::vec2 vec2_of(const tinygltf::Value& parent, const char* name, glm::vec2 otherwise) {
-  if (!parent.Has(name)) return otherwise;
-  const tinygltf::Value& value = parent.Get(name);
-  return {to_float(value.Get(0).GetNumberAsDouble()), to_float(value.Get(1).GetNumberAsDouble())};
+  const tinygltf::Value& value = member(parent, name);
+  if (!value.IsArray()) return otherwise;
+  return {to_float(number(item(value, 0))), to_float(number(item(value, 1)))};
 }
 
 /// KHR_texture_transform: scale, then rotation, then offset. A positive angle turns the coordinates
@@ -81,8 +100,7 @@ glm::vec2 vec2_of(const tinygltf::Value& parent, const char* name, glm::vec2 oth
 glm::mat3 texture_matrix(const tinygltf::Value& transform) {
   const glm::vec2 offset = vec2_of(transform, "offset", {0, 0});
   const glm::vec2 scale = vec2_of(transform, "scale", {1, 1});
-  const double angle =
-      transform.Has("rotation") ? std::fmod(transform.Get("rotation").GetNumberAsDouble(), 2.0 * kPi) : 0.0;
+  const double angle = std::fmod(number(member(transform, "rotation")), 2.0 * kPi);
   const auto c = static_cast<float>(portable_cos(angle));
   const auto s = static_cast<float>(portable_sin(angle));
   return {glm::vec3(c * scale.x, -s * scale.x, 0), glm::vec3(s * scale.y, c * scale.y, 0),
@@ -91,25 +109,7 @@ glm::mat3 texture_matrix(const tinygltf::Value& transform) {
 
 template <typename TextureInfo>
 TextureUse texture_use(Import& import, const TextureInfo& info) {
-  TextureUse use;
-  if (info.index < 0) return use;
-  int set = info.texCoord;
-  const auto extension = info.extensions.find("KHR_texture_transform");
-  if (extension != info.extensions.end()) {
-    use.transform = texture_matrix(extension->second);
-    if (extension->second.Has("texCoord")) set = extension->second.Get("texCoord").GetNumberAsInt();
-  }
-  if (import.scene.textures[static_cast<std::size_t>(info.index)].image == kNone) {
-    import.report.warn("a texture without a PNG or JPEG image is not drawn");
-    return use;
-  }
-  if (set > 1) {
-    import.report.warn("texture coordinates beyond TEXCOORD_1 are not supported: TEXCOORD_0 is used");
-    set = 0;
-  }
-  use.texture = info.index;
-  use.texcoord_set = set;
-  return use;
+  return texture_use(import, info.index, info.texCoord, info.extensions);
 }
 
 float unit_range(double value) { return std::clamp(to_float(value), 0.0f, 1.0f); }
@@ -136,7 +136,7 @@ glm::vec3 emissive_of(const tinygltf::Material& source) {
   return emissive;
 }
 
-Material material_of(Import& import, const tinygltf::Material& source) {
+Material material_of(Import& import, const tinygltf::Material& source, const std::string& place) {
   const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
   Material material;
   material.name = source.name;
@@ -155,17 +155,42 @@ Material material_of(Import& import, const tinygltf::Material& source) {
   material.alpha_cutoff = std::max(to_float(source.alphaCutoff), 0.0f);
   material.double_sided = source.doubleSided;
   material.unlit = source.extensions.count("KHR_materials_unlit") != 0;
+  material.layers = layers_of(import, source, place);
+  if (material.layers && material.layers->specular_glossiness) {
+    use_specular_glossiness(import, source, place, material);
+  }
   return material;
 }
 
 }  // namespace
 
+TextureUse texture_use(Import& import, int index, int set, const tinygltf::ExtensionMap& extensions) {
+  TextureUse use;
+  if (index < 0) return use;
+  const auto extension = extensions.find("KHR_texture_transform");
+  if (extension != extensions.end()) {
+    use.transform = texture_matrix(extension->second);
+    if (const int other = whole_number(member(extension->second, "texCoord")); other >= 0) set = other;
+  }
+  if (import.scene.textures[static_cast<std::size_t>(index)].image == kNone) {
+    import.report.warn("a texture without a PNG or JPEG image is not drawn");
+    return use;
+  }
+  if (set > 1) {
+    import.report.warn("texture coordinates beyond TEXCOORD_1 are not supported: TEXCOORD_0 is used");
+    set = 0;
+  }
+  use.texture = index;
+  use.texcoord_set = set;
+  return use;
+}
+
 void import_materials(Import& import) {
   import_textures(import);
   const tinygltf::Model& model = import.document.model();
   import.scene.materials.reserve(model.materials.size());
-  for (const tinygltf::Material& source : model.materials) {
-    import.scene.materials.push_back(material_of(import, source));
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    import.scene.materials.push_back(material_of(import, model.materials[i], element("materials", i)));
   }
 }
 

@@ -110,6 +110,7 @@ class MeshImporter {
     Primitive primitive;
     primitive.mode = static_cast<pipeline::PrimitiveMode>(source.mode);  // Both follow OpenGL's constants.
     primitive.material = source.material < 0 ? kNone : source.material;
+    primitive.variant_materials = variant_materials_of(import_, source, place);
     const int positions = find(source.attributes, "POSITION");
     count_vertices(place, reader_.count(positions));
     primitive.vertex_count = static_cast<std::uint32_t>(reader_.count(positions));

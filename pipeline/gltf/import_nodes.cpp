@@ -185,6 +185,7 @@ void import_nodes(Import& import) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     import.scene.nodes.push_back(node_of(import, nodes[i], element("nodes", i), import.drawn.nodes[i]));
   }
+  expand_instances(import);
   set_parents(import);
   check_cycles(import);
   import_scenes(import);

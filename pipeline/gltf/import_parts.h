@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,25 @@ void import_animations(Import& import);
 void import_extras(Import& import);
 /// Scene::features, from what the other steps have found.
 void list_features(Import& import);
+
+/// A use of a texture as a material names it; kNone for a negative `index`. `extensions`: of the texture's
+/// use.
+TextureUse texture_use(Import& import, int index, int texcoord_set, const tinygltf::ExtensionMap& extensions);
+/// What extensions add to the material; null where there is nothing. `place` is for messages.
+std::shared_ptr<const MaterialLayers> layers_of(Import& import, const tinygltf::Material& source,
+                                                const std::string& place);
+/// The material of KHR_materials_pbrSpecularGlossiness in place of metallic-roughness, as far as both have
+/// the same properties.
+void use_specular_glossiness(Import& import, const tinygltf::Material& source, const std::string& place,
+                             Material& material);
+
+/// Scene::variants.
+void import_variants(Import& import);
+/// The material of the primitive in each variant that gives it another. `place` is for messages.
+std::map<int, int> variant_materials_of(const Import& import, const tinygltf::Primitive& source,
+                                        const std::string& place);
+/// Nodes for the instances of EXT_mesh_gpu_instancing; their parents are not yet set.
+void expand_instances(Import& import);
 
 /// JSON numbers may be larger than any float.
 float to_float(double value);

@@ -1,5 +1,6 @@
-// The two formats that every process can read and write without a module: PNG and JPEG, from bytes to pixels
-// and back. Enters: the bytes of a whole file. Leaves: straight RGBA8, top row first. Must not know: paths.
+// The formats of textures, from bytes to pixels: PNG and JPEG, which every process can read and write, WebP
+// by a module of its own, and plain KTX2. Enters: the bytes of a whole file. Leaves: straight RGBA8, top row
+// first. Must not know: paths.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,8 @@ namespace barrido::scene {
 
 bool is_png(std::span<const std::uint8_t> bytes);
 bool is_jpeg(std::span<const std::uint8_t> bytes);
+bool is_webp(std::span<const std::uint8_t> bytes);
+bool is_ktx2(std::span<const std::uint8_t> bytes);
 
 /// @throws InputError naming `name`.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
@@ -35,6 +38,11 @@ Samples16 decode_png_16(std::span<const std::uint8_t> bytes, const std::string& 
                         const ImageLimits& limits);
 /// @throws InputError naming `name`.
 Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+
+/// @throws InputError naming `name`, also when there is no module.
+Image decode_webp(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+/// @throws InputError naming `name`, also for what is compressed.
+Image decode_ktx2(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
 
 /// Refuses a size outside the limits, and puts it down in their budget; called once, as soon as a header is
 /// read, before memory is taken.

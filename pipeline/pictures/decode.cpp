@@ -1,5 +1,5 @@
-// Tells PNG from JPEG by the first bytes and has the right library decode them. Enters: a whole file in
-// memory. Must not know: paths, other formats.
+// Tells PNG, JPEG, WebP and KTX2 apart by the first bytes and has the right library decode them. Enters: a
+// whole file in memory. Must not know: paths, other formats.
 #include "pipeline/pictures/codecs.h"
 
 namespace barrido::scene {
@@ -22,6 +22,8 @@ Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name,
   if (bytes.empty()) throw InputError(name, "", "the picture is empty (0 bytes)");
   if (is_png(bytes)) return decode_png(bytes, name, limits);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, name, limits);
+  if (is_webp(bytes)) return decode_webp(bytes, name, limits);
+  if (is_ktx2(bytes)) return decode_ktx2(bytes, name, limits);
   throw InputError(name, "", "neither PNG nor JPEG, by its first bytes");
 }
 

@@ -24,7 +24,8 @@ struct ImageLimits {
   std::uint64_t bytes_a_pixel = 4;  ///< That this will take, where the reader does not know better.
 };
 
-/// Decodes PNG or JPEG (told apart by their first bytes). The header is checked before memory is taken.
+/// Decodes PNG, JPEG, WebP or plain KTX2 (told apart by their first bytes). The header is checked before
+/// memory is taken.
 /// @throws InputError naming `name`.
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name,
                    const ImageLimits& limits = {});

@@ -6,8 +6,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "pipeline/files/module_loader.h"
 #include "pipeline/pictures/codecs.h"
-#include "pipeline/pictures/module_loader.h"
+#include "pipeline/pictures/oiio_module/interface.h"
 
 namespace barrido::scene {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 /// Rows that are read at a time: a header that promises more than the file holds fails in the first of them,
 /// before the picture's memory is taken.
 constexpr int kRowsAtATime = 64;
+
+const BarridoOiioFunctions& openimageio_module(const std::string& name, const FormatTraits& format,
+                                               const std::string& purpose) {
+  static const Module module("barrido_oiio.so", BARRIDO_OIIO_ENTRY, BARRIDO_OIIO_INTERFACE_VERSION);
+  const auto* functions = module.functions<BarridoOiioFunctions>();
+  if (functions == nullptr)
+    throw InputError(name, "", module.problem(purpose + " " + std::string(format.name)));
+  return *functions;
+}
 
 struct ReaderCloser {
   const BarridoOiioFunctions* functions;
@@ -62,7 +72,7 @@ PixelsOf<T> read_pixels(const BarridoOiioFunctions& functions, BarridoOiioReader
   PixelsOf<T> rgba;
   for (int begin = 0; begin < header.height; begin += step) {
     const int end = std::min(begin + step, header.height);
-    BarridoOiioError error{};
+    BarridoModuleError error{};
     if (functions.read_rows(reader, begin, end, kTypeOf<T>, rows.data(), &error) == 0) {
       throw InputError(name, "", std::string("cannot be read: ") + error.text);
     }
@@ -120,7 +130,7 @@ PixelsOf<T> read_straight(const BarridoOiioFunctions& functions, BarridoOiioRead
 Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem::path& path,
                     const FormatTraits& format, const ImageLimits& limits, BarridoOiioHeader& header) {
   const std::string name = path.string();
-  BarridoOiioError error{};
+  BarridoModuleError error{};
   Reader reader(functions.open(path.c_str(), format.openimageio_name, &header, &error), {&functions});
   if (!reader) {
     throw InputError(name, "", "damaged " + std::string(format.name) + ": " + error.text);
@@ -140,7 +150,7 @@ Reader open_checked(const BarridoOiioFunctions& functions, const std::filesystem
 bool is_readable(const BarridoOiioFunctions& functions, const std::filesystem::path& file,
                  const FormatTraits& format) {
   BarridoOiioHeader header{};
-  BarridoOiioError error{};
+  BarridoModuleError error{};
   const Reader reader(functions.open(file.c_str(), format.openimageio_name, &header, &error), {&functions});
   if (!reader) return false;
   const int step = std::max(kRowsAtATime / header.row_step, 1) * header.row_step;
@@ -206,7 +216,7 @@ void write_with_module(const std::filesystem::path& file, const std::filesystem:
   packed.associated_alpha = format.associated_alpha ? 1 : 0;
   packed.pixels = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data())
                                          : static_cast<const void*>(picture.floats.data());
-  BarridoOiioError error{};
+  BarridoModuleError error{};
   if (functions.write(file.c_str(), format.openimageio_name, &packed, &error) == 0) {
     throw InputError(target.string(), "", std::string("cannot be written: ") + error.text);
   }

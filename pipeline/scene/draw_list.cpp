@@ -1,7 +1,12 @@
 #include "pipeline/scene/draw_list.h"
 
+#include <cmath>
+#include <utility>
+
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+
+#include "raster/base/portable_math.h"
 
 namespace barrido::scene {
 namespace {
@@ -18,6 +23,13 @@ pipeline::Geometry geometry_for(PreparedGeometry& prepared, const SurfaceState& 
     if (set != kNone) geometry.texcoord[unit] = prepared.texcoord_sets[static_cast<std::size_t>(set)];
   }
   return geometry;
+}
+
+/// How much larger the draw is in the world, where its material asks for it.
+float scale_of(const Scene& scene, const Draw& draw) {
+  if (draw.material == kNone || !scene.materials[static_cast<std::size_t>(draw.material)].layers) return 1.0f;
+  const double volume = std::abs(glm::determinant(glm::dmat3(glm::mat3(draw.world_from_object))));
+  return portable_pow(static_cast<float>(volume), 1.0f / 3.0f);
 }
 
 bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::dmat3(glm::mat3(matrix))) < 0.0; }
@@ -39,7 +51,8 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
       draw.node = node;
       draw.mesh = mesh;
       draw.primitive = static_cast<int>(i);
-      draw.material = primitive.material;
+      const auto variant = primitive.variant_materials.find(options.variant);
+      draw.material = variant != primitive.variant_materials.end() ? variant->second : primitive.material;
       draw.world_from_object = pose.world_from_node[static_cast<std::size_t>(node)];
       PreparedGeometry* prepared = nullptr;
       if (is_deformed(scene, node, primitive)) {
@@ -51,11 +64,14 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
         prepared = &geometry.get(mesh, static_cast<int>(i), crease_angle_deg);
       }
       draw.mirrored = mirrors(draw.world_from_object);
-      draw.surface = make_surface(scene, primitive.material, prepared->geometry.normal.data != nullptr,
-                                  prepared->colors.data != nullptr, options, textures);
-      draw.geometry = geometry_for(*prepared, draw.surface);
       draw.center = prepared->center;
-      list.draws.push_back(draw);
+      const SurfaceUse use{&primitive, draw.material, prepared->geometry.normal.data != nullptr,
+                           prepared->colors.data != nullptr, scale_of(scene, draw)};
+      for (SurfaceState& surface : make_surfaces(scene, use, options, textures)) {
+        draw.surface = std::move(surface);
+        draw.geometry = geometry_for(*prepared, draw.surface);
+        list.draws.push_back(draw);
+      }
     }
   }
   return list;

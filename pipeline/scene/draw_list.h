@@ -1,5 +1,5 @@
 // What there is to draw in a frame, whatever the eye. Enters: a scene in a pose; leaves: one draw a
-// primitive, with its geometry and its surface. Knows no lights and no view.
+// primitive and surface, with its geometry. Knows no lights and no view.
 #pragma once
 
 #include <memory>

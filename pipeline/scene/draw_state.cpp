@@ -20,18 +20,42 @@ bool keeps_lengths(const glm::mat4& matrix) {
          near(glm::dot(m[0], m[1]), 0) && near(glm::dot(m[1], m[2]), 0) && near(glm::dot(m[2], m[0]), 0);
 }
 
+void set_fog_color(pipeline::State& state, float grey) {
+  for (std::size_t c = 0; c < 3; ++c) state.fog.color[c] = grey;
+}
+
 void set_alpha(pipeline::State& state, const SurfaceState& surface, bool write_alpha) {
   if (surface.alpha_mode == AlphaMode::mask) {
     state.alpha_test = {true, raster::Compare::greater_equal, surface.alpha_cutoff};
     state.color_mask[3] = write_alpha;
-  } else if (surface.alpha_mode == AlphaMode::blend) {
-    using Factor = raster::BlendFactor;
-    state.blend.enabled = true;
-    state.blend.src_rgb = Factor::src_alpha;
-    state.blend.dst_rgb = Factor::one_minus_src_alpha;
-    state.blend.src_alpha = Factor::one;
-    state.blend.dst_alpha = Factor::one_minus_src_alpha;
-    state.depth.write = false;
+  }
+  if (surface.blending == Blending::none) return;
+  using Factor = raster::BlendFactor;
+  state.blend.enabled = true;
+  state.blend.src_alpha = Factor::one;
+  state.blend.dst_alpha = Factor::one_minus_src_alpha;
+  state.depth.write = false;
+  // Fog comes once: it is added by the draw that takes the place of what is behind.
+  switch (surface.blending) {
+    case Blending::filter:
+      state.blend.src_rgb = Factor::zero;
+      state.blend.dst_rgb = Factor::src_color;
+      state.color_mask[3] = false;
+      set_fog_color(state, 1.0f);
+      break;
+    case Blending::coat:
+      state.depth.compare = raster::Compare::equal;
+      [[fallthrough]];
+    case Blending::add:
+      state.blend.src_rgb = Factor::one;
+      state.blend.dst_rgb = Factor::one;
+      state.color_mask[3] = false;
+      set_fog_color(state, 0.0f);
+      break;
+    default:
+      state.blend.src_rgb = Factor::src_alpha;
+      state.blend.dst_rgb = Factor::one_minus_src_alpha;
+      break;
   }
 }
 

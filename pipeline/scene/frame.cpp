@@ -144,8 +144,10 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
       index == kNone ? nullptr : &scene.scenes[static_cast<std::size_t>(index)].settings;
   frame.clear_color = choose_clear_color(own, settings);
   frame.fog = choose_fog(own, settings, frame.clear_color);
-  frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg,
-                             surface_options(settings), caches.geometry, caches.textures);
+  SurfaceOptions options = surface_options(settings);
+  options.variant = resolve_variant(scene, settings.variant);
+  frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg, options,
+                             caches.geometry, caches.textures);
   choose_surroundings(frame, own, settings, caches);
   return frame;
 }

@@ -51,10 +51,20 @@ enum class Reflections : std::uint8_t {
 /// differs from diffuse reflection. So the share α² = 2/(n + 2) of F0 goes to k_d, and 1 − α² of it is left
 /// for k_s and the environment: a rough metal answers to the lights as chalk does, a smooth one is a mirror.
 /// Metals with vertex colours are treated as painted: no texture unit could colour their reflection. Exact
-/// coefficients of the file (extras.barrido) replace what they name; a material whose diffuse or specular is
-/// exact reflects no environment.
+/// MaterialLayers change F0, α and what is left for k_d, as docs/scene.md tells; a clear coat and what is
+/// seen through glass are draws of their own. Exact coefficients of the file (extras.barrido) replace what
+/// they name; a material whose diffuse or specular is exact reflects no environment.
 SurfaceCoefficients convert_material(const Material& material, const SurfaceContext& context,
                                      Reflections reflections, const ConversionLimits& limits);
+
+/// Light that comes through a material with transmission, of what is behind it: base colour, times what its
+/// volume leaves of light, T = attenuationColor^(thickness / attenuationDistance) (KHR_materials_volume),
+/// times what neither is mirrored nor metal. `scale`: of the mesh's units to the world's.
+glm::vec3 transmitted(const Material& material, float scale);
+
+/// A clear coat by itself (KHR_materials_clearcoat): a black dielectric, whose F0 of 0.04 is weighted by the
+/// coat.
+Material clearcoat_of(const Material& material);
 
 /// Exponent of (R·V)^n that makes a highlight as wide as (N·H)^`blinn_shininess`.
 inline float phong_shininess(float blinn_shininess) { return blinn_shininess * 0.25f; }

@@ -123,7 +123,7 @@ class PassRenderer {
     clear.depth = pass_.view.clear_depth;
     renderer_.clear(clear);
     for (const Draw& draw : frame_.list.draws) {
-      if (draw.surface.alpha_mode != AlphaMode::blend) submit(draw, draw.geometry);
+      if (draw.surface.blending == Blending::none) submit(draw, draw.geometry);
     }
     if (pass_.backdrop) {
       const std::size_t draws = assembled_.draws.size();
@@ -164,7 +164,7 @@ class PassRenderer {
     std::vector<const Draw*> blended;
     std::vector<BlendedDraw> ordered;
     for (const Draw& draw : frame_.list.draws) {
-      if (draw.surface.alpha_mode != AlphaMode::blend || draw.node == pass_.without_node) continue;
+      if (draw.surface.blending == Blending::none || draw.node == pass_.without_node) continue;
       blended.push_back(&draw);
       ordered.push_back({&draw.geometry, distance_of(draw), draw.center});
     }

@@ -98,6 +98,7 @@ struct RenderSettings {
   float exposure_ev = 0.0f;
   raster::ToneMap tone_map = raster::ToneMap::clamp;
   int scene_index = kNone;  ///< kNone: the file's default.
+  std::string variant;      ///< Name of a variant of materials; empty: none.
   int animation = kNone;
   double time_s = 0.0;
   bool keep_float = false;  ///< Keep float colours for exr and hdr.

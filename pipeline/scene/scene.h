@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -78,6 +79,8 @@ class IndexArray {
 /// A picture with its sampler; filters as OpenGL names them.
 struct Texture {
   int image = kNone;
+  int fallback_image =
+      kNone;  ///< In its place where it cannot be read (EXT_texture_webp, KHR_texture_basisu).
   raster::MinFilter min_filter = raster::MinFilter::linear_mipmap_linear;
   raster::MagFilter mag_filter = raster::MagFilter::linear;
   raster::Wrap wrap_s = raster::Wrap::repeat;
@@ -99,6 +102,37 @@ struct ExactMaterial {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// KHR_materials_pbrSpecularGlossiness; the material's base colour is the diffuse one.
+struct SpecularGlossiness {
+  glm::vec3 specular{1, 1, 1};
+  float glossiness = 1.0f;
+  TextureUse texture;  ///< RGB specular, A glossiness
+};
+
+/// What extensions add to a material (KHR_materials_…), each property at the value that changes nothing.
+struct MaterialLayers {
+  std::optional<SpecularGlossiness> specular_glossiness;
+  float ior = 1.5f;
+  float specular = 1.0f;
+  glm::vec3 specular_color{1, 1, 1};
+  glm::vec3 sheen_color{0, 0, 0};
+  float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
+  float iridescence = 0.0f, iridescence_ior = 1.3f, iridescence_thickness_nm = 400.0f;
+  float anisotropy = 0.0f;
+  float transmission = 0.0f;
+  float thickness = 0.0f;             ///< In the mesh's own units
+  float attenuation_distance = 0.0f;  ///< 0: endless
+  glm::vec3 attenuation_color{1, 1, 1};
+  TextureUse specular_texture;             ///< A
+  TextureUse specular_color_texture;       ///< RGB
+  TextureUse sheen_color_texture;          ///< RGB
+  TextureUse clearcoat_texture;            ///< R
+  TextureUse clearcoat_roughness_texture;  ///< G
+  TextureUse iridescence_texture;          ///< R
+  TextureUse transmission_texture;         ///< R
+  TextureUse thickness_texture;            ///< G
+};
+
 struct Material {
   std::string name;
   glm::vec4 base_color{1, 1, 1, 1};
@@ -113,7 +147,8 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;  ///< KHR_materials_unlit
+  bool unlit = false;                            ///< KHR_materials_unlit
+  std::shared_ptr<const MaterialLayers> layers;  ///< Null where no extension asks for one.
   ExactMaterial exact;
 };
 
@@ -137,8 +172,9 @@ struct Primitive {
   std::vector<std::array<std::uint16_t, 4>> joints;
   FloatArray weights;  ///< 4 floats, sum 1
   std::vector<MorphTarget> morph_targets;
-  IndexArray indices;    ///< Each below vertex_count; empty: vertices in order.
-  int material = kNone;  ///< kNone: glTF's default material
+  IndexArray indices;                    ///< Each below vertex_count; empty: vertices in order.
+  int material = kNone;                  ///< kNone: glTF's default material
+  std::map<int, int> variant_materials;  ///< In its place, by Scene::variants (KHR_materials_variants)
 };
 
 struct Mesh {
@@ -242,6 +278,7 @@ struct Scene {
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
+  std::vector<std::string> variants;  ///< Names (KHR_materials_variants)
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
   std::vector<Camera> cameras;

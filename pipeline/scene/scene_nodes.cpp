@@ -20,6 +20,17 @@ int resolve_scene_index(const Scene& scene, int scene_index) {
   return scene_index;
 }
 
+int resolve_variant(const Scene& scene, const std::string& name) {
+  if (name.empty()) return kNone;
+  const auto found = std::find(scene.variants.begin(), scene.variants.end(), name);
+  if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
+  std::string known;
+  for (const std::string& variant : scene.variants) known += (known.empty() ? "" : ", ") + variant;
+  throw InputError(
+      scene.source, "variant " + name,
+      known.empty() ? "the file has no variants" : "there is no such variant; the file has " + known);
+}
+
 std::vector<int> nodes_of_scene(const Scene& scene, int resolved_index) {
   std::vector<int> nodes;
   if (resolved_index == kNone) {

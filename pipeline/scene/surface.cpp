@@ -1,6 +1,8 @@
 #include "pipeline/scene/surface.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace barrido::scene {
 namespace {
@@ -38,6 +40,16 @@ class SurfaceBuilder {
     TexelUse texels;
     texels.opaque = surface_.alpha_mode == AlphaMode::opaque;
     texels.mip_colors = options_.mip_colors;
+    add_texture(use, texels, raster::TextureEnvMode::modulate);
+  }
+
+  /// One channel of a picture, as greys, times `factor`.
+  void add_factor(const TextureUse& use, TexelUse::Channels channels, float factor) {
+    TexelUse texels;
+    texels.channels = channels;
+    texels.opaque = true;
+    texels.factor = glm::vec3(factor);
+    texels.encoding = raster::Encoding::linear;
     add_texture(use, texels, raster::TextureEnvMode::modulate);
   }
 
@@ -84,7 +96,7 @@ class SurfaceBuilder {
     unit.min_filter = options_.min_filter.value_or(source.min_filter);
     unit.mag_filter = options_.mag_filter.value_or(source.mag_filter);
     unit.env_mode = mode;
-    texels.encoding = options_.encoding;
+    if (texels.channels == TexelUse::Channels::color) texels.encoding = options_.encoding;
     texels.mipmaps = uses_mipmaps(unit.min_filter);
     unit.texture = &textures_.get(use.texture, texels);
     surface_.texcoord_set[index] = use.texcoord_set;
@@ -167,6 +179,49 @@ void set_lit(SurfaceState& surface, const Material& material, bool has_colors, c
   set_emission(surface, material, coefficients.emission, options, textures, builder);
 }
 
+/// The mean of the texels at the vertices: pictures of factors can be followed from draw to draw, not from
+/// pixel to pixel.
+glm::vec4 mean_at_vertices(const TextureUse& use, const Primitive& primitive, raster::Encoding encoding,
+                           const TextureCache& textures) {
+  constexpr std::size_t kMostSamples = 256;
+  const FloatArray& coordinates = primitive.texcoords[static_cast<std::size_t>(use.texcoord_set)];
+  const std::size_t vertices = coordinates.size() / 2;
+  const std::size_t step = std::max<std::size_t>(1, vertices / kMostSamples);
+  glm::dvec4 sum(0.0);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < vertices; i += step, ++count) {
+    const glm::vec3 at =
+        use.transform * glm::vec3(coordinates.data()[2 * i], coordinates.data()[2 * i + 1], 1);
+    sum += glm::dvec4(textures.texel(use.texture, glm::vec2(at), encoding));
+  }
+  if (count == 0) return textures.texel(use.texture, glm::vec2(0.0f), encoding);
+  return glm::vec4(sum / static_cast<double>(count));
+}
+
+/// The layers with their pictures' means as factors; transmission keeps its picture where that can be drawn.
+std::shared_ptr<const MaterialLayers> with_texels(MaterialLayers layers, const Primitive& primitive,
+                                                  const SurfaceOptions& options,
+                                                  const TextureCache& textures) {
+  const auto texel = [&](const TextureUse& use, raster::Encoding encoding) {
+    return textures.usable(use.texture) ? mean_at_vertices(use, primitive, encoding, textures)
+                                        : glm::vec4(1.0f);
+  };
+  using raster::Encoding;
+  if (layers.specular_glossiness) {
+    const glm::vec4 mean = texel(layers.specular_glossiness->texture, options.encoding);
+    layers.specular_glossiness->specular *= glm::vec3(mean);
+    layers.specular_glossiness->glossiness *= mean.a;
+  }
+  layers.specular *= texel(layers.specular_texture, Encoding::linear).a;
+  layers.specular_color *= glm::vec3(texel(layers.specular_color_texture, options.encoding));
+  layers.sheen_color *= glm::vec3(texel(layers.sheen_color_texture, options.encoding));
+  layers.clearcoat *= texel(layers.clearcoat_texture, Encoding::linear).r;
+  layers.clearcoat_roughness *= texel(layers.clearcoat_roughness_texture, Encoding::linear).g;
+  layers.iridescence *= texel(layers.iridescence_texture, Encoding::linear).r;
+  layers.thickness *= texel(layers.thickness_texture, Encoding::linear).g;
+  return std::make_shared<const MaterialLayers>(std::move(layers));
+}
+
 template <class Value>
 void replace(std::optional<Value>& value, const std::optional<Value>& by) {
   if (by) value = by;
@@ -187,27 +242,105 @@ Material changed(Material material, const MaterialOverride& by) {
   return material;
 }
 
+/// Makes the surfaces of one use.
+struct SurfaceMaker {
+  const Scene& scene;
+  const SurfaceUse& use;
+  const SurfaceOptions& options;
+  TextureCache& textures;
+
+  /// The material by itself.
+  SurfaceState base(Material source) const {
+    SurfaceState surface = start(source);
+    SurfaceBuilder builder(scene, options, textures, surface);
+    if (source.layers && source.layers->specular_glossiness) {
+      source.roughness = 1.0f - source.layers->specular_glossiness->glossiness;
+    }
+    if (source.unlit || !use.has_normals) {
+      set_unlit(surface, source, builder);
+    } else {
+      set_lit(surface, source, use.has_colors, options, textures, builder);
+    }
+    if (surface.alpha_mode == AlphaMode::opaque) surface.color.a = surface.material.diffuse.a = 1.0f;
+    return surface;
+  }
+
+  /// What multiplies the light that comes from behind.
+  SurfaceState filter(Material source) const {
+    source.metallic *= context_of(source, use.has_colors, options, textures).metallic;
+    const MaterialLayers& layers = *source.layers;
+    SurfaceState surface = start(source);
+    surface.blending = Blending::filter;
+    surface.lit = false;
+    SurfaceBuilder builder(scene, options, textures, surface);
+    glm::vec3 tint = transmitted(source, use.scale);
+    if (builder.can_use(layers.transmission_texture)) {
+      builder.add_factor(layers.transmission_texture, TexelUse::Channels::red, layers.transmission);
+    } else {
+      tint *= layers.transmission;
+    }
+    surface.color = glm::vec4(tint, source.base_color.a);
+    if (builder.can_use(source.base_color_texture)) builder.add_base_color(source.base_color_texture);
+    return surface;
+  }
+
+  /// What glass sends to the eye itself: the rest of its diffuse light, highlights, reflections.
+  SurfaceState light(Material source) const {
+    if (!textures.usable(source.layers->transmission_texture.texture) || !options.textures) {
+      SurfaceState surface = base(std::move(source));
+      surface.blending = Blending::add;
+      return surface;
+    }
+    auto layers = std::make_shared<MaterialLayers>(*source.layers);
+    const TextureUse picture = layers->transmission_texture;
+    const float factor = layers->transmission;
+    layers->transmission = 0.0f;
+    source.layers = std::move(layers);
+    SurfaceState surface = base(std::move(source));
+    surface.blending = Blending::add;
+    if (surface.unit_count < raster::kMaxTextureUnits) {
+      SurfaceBuilder(scene, options, textures, surface)
+          .add_factor(picture, TexelUse::Channels::one_minus_red, factor);
+    }
+    return surface;
+  }
+
+ private:
+  SurfaceState start(const Material& source) const {
+    SurfaceState surface;
+    surface.texture_matrix.fill(glm::mat4(1.0f));
+    surface.alpha_mode = source.alpha_mode;
+    surface.alpha_cutoff = source.alpha_cutoff;
+    surface.double_sided = source.double_sided;
+    if (source.alpha_mode == AlphaMode::blend) surface.blending = Blending::over;
+    return surface;
+  }
+};
+
 }  // namespace
 
-SurfaceState make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
-                          const SurfaceOptions& options, TextureCache& textures) {
+std::vector<SurfaceState> make_surfaces(const Scene& scene, const SurfaceUse& use,
+                                        const SurfaceOptions& options, TextureCache& textures) {
   static const Material kDefaultMaterial;
-  const Material source =
-      changed(material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(material)],
-              options.material);
-  SurfaceState surface;
-  surface.texture_matrix.fill(glm::mat4(1.0f));
-  surface.alpha_mode = source.alpha_mode;
-  surface.alpha_cutoff = source.alpha_cutoff;
-  surface.double_sided = source.double_sided;
-  SurfaceBuilder builder(scene, options, textures, surface);
-  if (source.unlit || !has_normals) {
-    set_unlit(surface, source, builder);
+  Material source = changed(
+      use.material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(use.material)],
+      options.material);
+  if (source.unlit || !use.has_normals) source.layers = nullptr;
+  const SurfaceMaker maker{scene, use, options, textures};
+  if (!source.layers) return {maker.base(source)};
+  source.layers = with_texels(*source.layers, *use.primitive, options, textures);
+  std::vector<SurfaceState> surfaces;
+  if (source.layers->transmission > 0.0f) {
+    surfaces.push_back(maker.filter(source));
+    surfaces.push_back(maker.light(source));
   } else {
-    set_lit(surface, source, has_colors, options, textures, builder);
+    surfaces.push_back(maker.base(source));
   }
-  if (surface.alpha_mode == AlphaMode::opaque) surface.color.a = surface.material.diffuse.a = 1.0f;
-  return surface;
+  if (source.layers->clearcoat > 0.0f) {
+    surfaces.push_back(maker.base(clearcoat_of(source)));
+    surfaces.back().blending = surfaces.front().blending == Blending::none ? Blending::coat : Blending::add;
+  }
+  return surfaces;
 }
 
 }  // namespace barrido::scene

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "pipeline/scene/material_conversion.h"
 #include "pipeline/scene/render_scene.h"
@@ -24,10 +25,21 @@ struct SurfaceOptions {
   ConversionLimits limits;
   bool mip_colors = false;  ///< As TexelUse::mip_colors, for base colours.
   MaterialOverride material;
+  int variant = kNone;  ///< Of Scene::variants
+};
+
+/// How a draw meets what is there already.
+enum class Blending : std::uint8_t {
+  none,    ///< In its place.
+  over,    ///< By its alpha.
+  filter,  ///< What is there is multiplied by its colour: a look through tinted glass.
+  add,     ///< Its light is added: highlights on glass.
+  coat     ///< Added where the draw before it left its depth: a second layer on the same surface.
 };
 
 struct SurfaceState {
   bool lit = true;
+  Blending blending = Blending::none;
   glm::vec4 color{1, 1, 1, 1};  ///< Of unlit surfaces, or what vertex colours are multiplied by
   pipeline::ColorMaterial color_material = pipeline::ColorMaterial::none;
   pipeline::Material material;
@@ -43,8 +55,18 @@ struct SurfaceState {
   float reflection_exponent = 0.0f;  ///< Of the lobe in which the surface gathers its environment
 };
 
-/// `has_normals` and `has_colors` tell what the primitive brings along: without normals it is unlit.
-SurfaceState make_surface(const Scene& scene, int material, bool has_normals, bool has_colors,
-                          const SurfaceOptions& options, TextureCache& textures);
+/// What a surface is made for.
+struct SurfaceUse {
+  const Primitive* primitive = nullptr;
+  int material = kNone;      ///< kNone: glTF's default material
+  bool has_normals = false;  ///< Without them it is unlit.
+  bool has_colors = false;
+  float scale = 1.0f;  ///< Of the primitive's units to the world's; for the thickness of glass
+};
+
+/// The surface of a primitive; several where it has to be drawn more than once, in this order: what glass
+/// lets through, what it adds, a clear coat.
+std::vector<SurfaceState> make_surfaces(const Scene& scene, const SurfaceUse& use,
+                                        const SurfaceOptions& options, TextureCache& textures);
 
 }  // namespace barrido::scene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -37,6 +38,15 @@ PixelBytes changed_texels(const Image& image, const TexelUse& use) {
   for (int channel = 0; channel < 3; ++channel) {
     tables[static_cast<std::size_t>(channel)] = multiplied(use.factor[channel], use.encoding);
   }
+  // Where greys are made, every channel comes from the first.
+  const bool is_grey = use.channels != TexelUse::Channels::color;
+  const std::size_t green = is_grey ? 0 : 1, blue = is_grey ? 0 : 2;
+  if (is_grey) tables[1] = tables[2] = tables[0];
+  if (use.channels == TexelUse::Channels::one_minus_red) {
+    for (ByteTable& table : tables) {
+      for (std::uint8_t& byte : table) byte = static_cast<std::uint8_t>(255 - byte);
+    }
+  }
   PixelBytes changed(image.rgba.size());
   const std::size_t pitch = static_cast<std::size_t>(image.width) * 4;
   const std::uint8_t alpha = use.opaque ? 255 : 0;
@@ -45,12 +55,22 @@ PixelBytes changed_texels(const Image& image, const TexelUse& use) {
     std::uint8_t* out = changed.data() + static_cast<std::size_t>(row) * pitch;
     for (std::size_t i = 0; i < pitch; i += 4) {
       // One store a texel.
-      const std::array<std::uint8_t, 4> texel{tables[0][in[i]], tables[1][in[i + 1]], tables[2][in[i + 2]],
+      const std::array<std::uint8_t, 4> texel{tables[0][in[i]], tables[1][in[i + green]],
+                                              tables[2][in[i + blue]],
                                               static_cast<std::uint8_t>(in[i + 3] | alpha)};
       std::memcpy(out + i, texel.data(), texel.size());
     }
   });
   return changed;
+}
+
+int nearest_texel(float coordinate, int size, raster::Wrap wrap) {
+  if (!(coordinate > -1e6f && coordinate < 1e6f)) return 0;
+  const float whole = std::floor(coordinate);
+  float place = coordinate;
+  if (wrap == raster::Wrap::repeat || wrap == raster::Wrap::mirrored_repeat) place -= whole;
+  if (wrap == raster::Wrap::mirrored_repeat && std::fmod(whole, 2.0f) != 0.0f) place = 1.0f - place;
+  return std::clamp(static_cast<int>(std::floor(place * static_cast<float>(size))), 0, size - 1);
 }
 
 /// How often each byte stands in red, green and blue.
@@ -116,8 +136,9 @@ bool TextureCache::has_alpha(int image) {
 const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
   const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
   const bool removes_alpha = use.opaque && has_alpha(source.image);
-  const Key key{source.image, source.wrap_s, source.wrap_t,  use.encoding,
-                use.mipmaps,  removes_alpha, use.mip_colors, {use.factor.r, use.factor.g, use.factor.b}};
+  const Key key{source.image,   source.wrap_s, source.wrap_t,
+                use.encoding,   use.mipmaps,   removes_alpha,
+                use.mip_colors, use.channels,  {use.factor.r, use.factor.g, use.factor.b}};
   const auto found = textures_.find(key);
   if (found != textures_.end()) return found->second;
 
@@ -135,7 +156,8 @@ raster::Texture TextureCache::build(const Image& image, const TexelUse& use, boo
   if (use.mip_colors) return colored_levels(image.width, image.height, options);
   PixelBytes own;
   std::span<const std::uint8_t> rgba = image.rgba;
-  if (use.factor != glm::vec3(1.0f) || removes_alpha) rgba = own = changed_texels(image, use);
+  const bool is_grey = use.channels != TexelUse::Channels::color;
+  if (use.factor != glm::vec3(1.0f) || removes_alpha || is_grey) rgba = own = changed_texels(image, use);
   return raster::Texture::make_2d({image.width, image.height, rgba}, options);
 }
 
@@ -145,6 +167,20 @@ const raster::Texture& TextureCache::white() {
     white_ = std::make_unique<raster::Texture>(raster::Texture::make_2d({1, 1, texel}, {}));
   }
   return *white_;
+}
+
+glm::vec4 TextureCache::texel(int texture, const glm::vec2& coordinates, raster::Encoding encoding) const {
+  const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
+  const Image& image = scene_.images[static_cast<std::size_t>(source.image)];
+  const auto column = static_cast<std::size_t>(nearest_texel(coordinates.x, image.width, source.wrap_s));
+  const auto row = static_cast<std::size_t>(nearest_texel(coordinates.y, image.height, source.wrap_t));
+  const std::uint8_t* rgba = image.rgba.data() + 4 * (row * static_cast<std::size_t>(image.width) + column);
+  glm::vec4 texel;
+  for (int c = 0; c < 4; ++c) {
+    texel[c] = c < 3 && encoding == raster::Encoding::srgb ? linear_from_srgb8(rgba[c])
+                                                           : static_cast<float>(rgba[c]) / 255.0f;
+  }
+  return texel;
 }
 
 glm::vec3 TextureCache::mean(int texture, raster::Encoding encoding) {

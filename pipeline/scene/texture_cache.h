@@ -7,7 +7,9 @@
 #include <memory>
 #include <tuple>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "pipeline/scene/scene.h"
 #include "raster/textures/texture.h"
@@ -16,6 +18,9 @@ namespace barrido::scene {
 
 /// What a texture is used for, as far as its texels depend on it.
 struct TexelUse {
+  /// The picture's own, or greys: of its red, for factors; of 1 − red.
+  enum class Channels : std::uint8_t { color, red, one_minus_red };
+  Channels channels = Channels::color;
   raster::Encoding encoding = raster::Encoding::linear;
   bool mipmaps = true;
   bool opaque = false;        ///< Alpha counts as 1 in every texel.
@@ -42,9 +47,12 @@ class TextureCache {
   /// Mean of the picture's colours, decoded to linear light first when `encoding` is srgb.
   glm::vec3 mean(int texture, raster::Encoding encoding);
 
+  /// The texel at these coordinates, wrapped; its colour decoded to linear light when `encoding` is srgb.
+  glm::vec4 texel(int texture, const glm::vec2& coordinates, raster::Encoding encoding) const;
+
  private:
-  using Key =
-      std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, bool, std::array<float, 3>>;
+  using Key = std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, bool,
+                         TexelUse::Channels, std::array<float, 3>>;
 
   bool has_alpha(int image);
   raster::Texture build(const Image& image, const TexelUse& use, bool removes_alpha,

@@ -30,7 +30,8 @@ std::string where_it_is(const View& view, const Sphere& sphere, const glm::dvec3
 
 }  // namespace
 
-std::string why_empty(const SceneFrame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn) {
+std::string why_empty(const SceneFrame& frame, const RenderSettings& settings,
+                      const pipeline::Statistics& drawn) {
   const std::string empty = "the picture is empty: ";
   if (frame.list.draws.empty()) return empty + "the scene has nothing to draw";
   if (frame.backdrop_in_view || drawn.raster.fragments_covered > 0) return {};

@@ -10,6 +10,7 @@
 namespace barrido::scene {
 
 /// Empty when something was drawn, or when the surroundings are the picture's background and hide the answer.
-std::string why_empty(const SceneFrame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn);
+std::string why_empty(const SceneFrame& frame, const RenderSettings& settings,
+                      const pipeline::Statistics& drawn);
 
 }  // namespace barrido::scene

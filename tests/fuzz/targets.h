@@ -28,11 +28,15 @@ void run_image(Bytes bytes);  ///< A PNG or JPEG file: decoded, and what came ou
 void run_accessor(Bytes bytes);  ///< Choices: buffers, views and accessors, read in every way.
 void run_scene(Bytes bytes);     ///< Choices: draws, by the renderer and by the scalar reference.
 void run_validate(Bytes bytes);  ///< A .gltf or .glb file, checked against the standard.
+void run_draco(Bytes bytes);     ///< Counts and a stream of Draco, imported.
+void run_meshopt(Bytes bytes);   ///< Counts, mode and filter, and a stream of meshoptimizer, imported.
+void run_webp(Bytes bytes);      ///< A WebP file, decoded.
 void run_diff(Bytes bytes);      ///< Choices: two pictures and thresholds, compared and reported.
 
 inline constexpr Target kTargets[] = {
     {"gltf", run_gltf},         {"glb", run_glb},     {"validate", run_validate}, {"image", run_image},
-    {"accessor", run_accessor}, {"scene", run_scene}, {"diff", run_diff}};
+    {"accessor", run_accessor}, {"scene", run_scene}, {"diff", run_diff},         {"draco", run_draco},
+    {"meshopt", run_meshopt},   {"webp", run_webp}};
 
 /// Ends the process, with the message on standard error, unless `holds`.
 void require(bool holds, const std::string& message);

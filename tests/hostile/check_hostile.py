@@ -2,7 +2,7 @@
 
 usage: check_hostile.py PROGRAM PART [--all] [--case TEXT] [--sanitized]
 
-PART is models, files, pictures, scale, sweep or assets. --all: the whole sweep instead of a part; --case: only cases whose names hold
+PART is models, files, pictures, compressed, scale, sweep or assets. --all: the whole sweep instead of a part; --case: only cases whose names hold
 TEXT, told one by one; --sanitized: without limits on memory, which sanitizers need.
 """
 

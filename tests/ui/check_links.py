@@ -1,4 +1,5 @@
-"""Checks that the program `barrido` has no window system and no OpenGL in it: what is mapped while it draws a picture.
+"""Checks that the program `barrido` has no window system, no OpenGL and none of the modules in it: what is mapped while
+it draws a picture that needs none.
 
 usage: check_links.py BARRIDO
 """
@@ -8,7 +9,7 @@ import re
 import subprocess
 import sys
 
-UNWANTED = re.compile(r"lib(GL|GLX|GLdispatch|EGL|OpenGL|OSMesa|X11|xcb|glfw|wayland-\w+|imgui)[.\-]")
+UNWANTED = re.compile(r"lib(GL|GLX|GLdispatch|EGL|OpenGL|OSMesa|X11|xcb|glfw|wayland-\w+|imgui|OpenImageIO|draco|meshoptimizer|webp)[.\-]|barrido_\w+\.so")
 MODEL = pathlib.Path(__file__).resolve().parents[2] / "models" / "teapot.glb"
 
 

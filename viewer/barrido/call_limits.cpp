@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
-/// Beside what the sizes of files and frames allow: what the loader allows any file (352 MiB), and the program
-/// itself with what drawing makes of that; and the stacks of its threads.
+/// Beside what the sizes of files and frames allow: what the loader allows any file (352 MiB), and the
+/// program itself with what drawing makes of that; and the stacks of its threads.
 constexpr std::uint64_t kProgramBytes = 464 * kMiB;
 constexpr std::uint64_t kThreadBytes = 9 * kMiB;
 

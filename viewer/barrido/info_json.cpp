@@ -98,6 +98,7 @@ std::string info_json(const scene::Scene& scene, const SceneSummary& summary) {
   for (const int node : summary.camera_nodes) json["cameras"].push_back(camera_json(scene, node));
   json["lights"] = Json::array();
   for (const int node : summary.light_nodes) json["lights"].push_back(light_json(scene, node));
+  if (!scene.variants.empty()) json["variants"] = scene.variants;
   json["animations"] = animations_json(scene);
   json["skins"] = Json::array();
   for (const scene::Skin& skin : scene.skins) json["skins"].push_back({{"joints", skin.joints.size()}});

@@ -73,6 +73,8 @@ void add_cameras_and_lights(Sheet& sheet, const scene::Scene& scene, const Scene
 }
 
 void add_motion(Sheet& sheet, const scene::Scene& scene) {
+  if (!scene.variants.empty()) sheet.row("variants", grouped(scene.variants.size()));
+  for (const std::string& variant : scene.variants) sheet.item(variant);
   sheet.row("animations", grouped(scene.animations.size()));
   for (std::size_t i = 0; i < scene.animations.size(); ++i) {
     const scene::Animation& animation = scene.animations[i];

@@ -135,6 +135,7 @@ bool RenderCall::render_file(const std::string& path) {
 std::vector<PlannedFrame> RenderCall::plan(const scene::Scene& scene, const std::string& path) const {
   const int root = scene::resolve_scene_index(scene, settings_.scene_index);
   const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
+  scene::resolve_variant(scene, settings_.variant);
   return plan_frames(options_,
                      {path, static_cast<int>(cameras.size()), static_cast<int>(scene.animations.size())});
 }

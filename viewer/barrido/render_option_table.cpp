@@ -76,6 +76,9 @@ constexpr OptionValue always_written(OptionValue value) {
   return value;
 }
 
+/// A name stands for itself.
+std::string same_text(std::string_view text) { return std::string(text); }
+
 constexpr RenderOption kOutputOptions[] = {
     with_short("-o", option("--output", "OUT", kOutput,
                             "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
@@ -213,6 +216,8 @@ constexpr RenderOption kCameraOptions[] = {
            number<&Options::turntable>(1, 100'000)),
     option("--scene", "N", kPicture, "Scene of the file, from 0. Default: the file's default.",
            number<&Settings::scene_index>(0, 1'000'000), no_editor("few files have several")),
+    option("--variant", "NAME", kPicture, "Variant of the materials (KHR_materials_variants).",
+           parsed<&Settings::variant, same_text, same_text>(), no_editor("few files have any")),
 };
 
 constexpr RenderOption kAnimationOptions[] = {

@@ -1,14 +1,14 @@
 // OpenImageIO behind a C interface, as a module that is loaded when a picture other than PNG or JPEG is read
 // or written. Enters: paths and pixels. Leaves: pixels, files, reasons. Must not know: anything of Barrido
-// but interface.h.
+// but the interface.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "pipeline/files/module_guard.h"
 #include "pipeline/pictures/oiio_module/interface.h"
 
 namespace {
@@ -17,28 +17,8 @@ namespace {
 constexpr int kMaxChannels = 64;
 constexpr int kMaxTileSide = 4096;
 
-void set_error(BarridoOiioError* error, std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  if (text.empty()) text = "unknown error";
-  const std::size_t length = std::min(text.size(), sizeof(error->text) - 1);
-  std::memcpy(error->text, text.data(), length);
-  error->text[length] = '\0';
-}
-
-/// Runs `body`, which returns a value that converts to bool; an exception becomes a failure.
-template <class Body>
-auto guarded(BarridoOiioError* error, Body body) -> decltype(body()) {
-  try {
-    return body();
-  } catch (const std::exception& exception) {
-    set_error(error, exception.what());
-  } catch (...) {
-    set_error(error, "unknown exception");
-  }
-  return {};
-}
+using barrido::module::guarded;
+using barrido::module::set_error;
 
 OIIO::TypeDesc type_of(BarridoOiioType type) {
   return type == BARRIDO_OIIO_FLOAT ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
@@ -82,7 +62,7 @@ struct BarridoOiioReader {
 namespace {
 
 BarridoOiioReader* open_reader(const char* path, const char* format, BarridoOiioHeader* header,
-                               BarridoOiioError* error) {
+                               BarridoModuleError* error) {
   return guarded(error, [&]() -> BarridoOiioReader* {
     auto reader = std::make_unique<BarridoOiioReader>();
     reader->input = OIIO::ImageInput::create(format);
@@ -108,7 +88,7 @@ BarridoOiioReader* open_reader(const char* path, const char* format, BarridoOiio
 }
 
 int read_rows(BarridoOiioReader* reader, int32_t begin, int32_t end, BarridoOiioType type, void* pixels,
-              BarridoOiioError* error) {
+              BarridoModuleError* error) {
   return guarded(error, [&]() -> int {
     OIIO::ImageInput& input = *reader->input;
     const OIIO::ImageSpec& spec = input.spec();
@@ -126,7 +106,7 @@ int read_rows(BarridoOiioReader* reader, int32_t begin, int32_t end, BarridoOiio
 void close_reader(BarridoOiioReader* reader) { delete reader; }
 
 int write_picture(const char* path, const char* format, const BarridoOiioPicture* picture,
-                  BarridoOiioError* error) {
+                  BarridoModuleError* error) {
   return guarded(error, [&]() -> int {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
     if (!output) {

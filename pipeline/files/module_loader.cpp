@@ -1,4 +1,4 @@
-#include "pipeline/pictures/module_loader.h"
+#include "pipeline/files/module_loader.h"
 
 #include <dlfcn.h>
 
@@ -8,25 +8,16 @@
 #include <system_error>
 #include <vector>
 
-#include "pipeline/files/error.h"
-
 namespace barrido::scene {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kModuleName = "barrido_oiio.so";
-
-/// The module, or why there is none; exactly one of the two is set.
-struct Module {
-  const BarridoOiioFunctions* functions = nullptr;
-  std::string problem;
-};
-
 /// The folder of the program or shared library that this code is part of; empty when the system does not say.
 fs::path own_folder() {
+  static const char kPlaceHere = 0;
   Dl_info info{};
-  if (::dladdr(reinterpret_cast<const void*>(&openimageio_module), &info) == 0 || info.dli_fname == nullptr) {
+  if (::dladdr(&kPlaceHere, &info) == 0 || info.dli_fname == nullptr) {
     return {};
   }
   std::error_code error;
@@ -62,43 +53,40 @@ std::vector<fs::path> folders_to_search() {
   return folders;
 }
 
-Module load_from(const fs::path& file) {
+/// Null, and the reason in `problem`, where the file is no module of this version.
+const void* load_from(const fs::path& file, const char* entry_name, std::int32_t version,
+                      std::string& problem) {
   void* handle = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) {
     const char* reason = ::dlerror();
-    return {nullptr, "cannot be loaded: " + std::string(reason != nullptr ? reason : file.string())};
+    problem = "cannot be loaded: " + std::string(reason != nullptr ? reason : file.string());
+    return nullptr;
   }
-  using Entry = const BarridoOiioFunctions* (*)();
-  const auto entry = reinterpret_cast<Entry>(::dlsym(handle, BARRIDO_OIIO_ENTRY));
-  const BarridoOiioFunctions* functions = entry != nullptr ? entry() : nullptr;
-  if (functions == nullptr || functions->version != BARRIDO_OIIO_INTERFACE_VERSION) {
-    return {nullptr, "is of another version: " + file.string()};
-  }
-  return {functions, {}};
-}
-
-Module find_module() {
-  std::string searched;
-  for (const fs::path& folder : folders_to_search()) {
-    const fs::path file = folder / kModuleName;
-    std::error_code error;
-    if (fs::exists(file, error)) return load_from(file);
-    searched += (searched.empty() ? "" : ", ") + folder.string();
-  }
-  return {nullptr, "was not found in " + searched};
+  using Entry = const void* (*)();
+  const auto entry = reinterpret_cast<Entry>(::dlsym(handle, entry_name));
+  const void* functions = entry != nullptr ? entry() : nullptr;
+  if (functions != nullptr && *static_cast<const std::int32_t*>(functions) == version) return functions;
+  problem = "is of another version: " + file.string();
+  return nullptr;
 }
 
 }  // namespace
 
-const BarridoOiioFunctions& openimageio_module(const std::string& name, const FormatTraits& format,
-                                               const std::string& purpose) {
-  static const Module module = find_module();
-  if (module.functions == nullptr) {
-    throw InputError(name, "",
-                     purpose + " " + std::string(format.name) + " needs the module " + kModuleName +
-                         ", which " + module.problem);
+Module::Module(std::string file, const char* entry, std::int32_t version) : file_(std::move(file)) {
+  std::string searched;
+  for (const fs::path& folder : folders_to_search()) {
+    std::error_code error;
+    if (fs::exists(folder / file_, error)) {
+      functions_ = load_from(folder / file_, entry, version, problem_);
+      return;
+    }
+    searched += (searched.empty() ? "" : ", ") + folder.string();
   }
-  return *module.functions;
+  problem_ = "was not found in " + searched;
+}
+
+std::string Module::problem(const std::string& purpose) const {
+  return purpose + " needs the module " + file_ + ", which " + problem_;
 }
 
 }  // namespace barrido::scene
