@@ -8,6 +8,7 @@ the order of the draws, and of each draw its state, its coefficients, and its ve
 
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -21,7 +22,7 @@ from invalid_scenes import invalid_scenes
 from random_calls import RandomCall
 from random_scenes import RandomScene
 
-COUNT = 600
+COUNT = int(os.environ.get("BARRIDO_HELD_SCENES", "600"))
 WORST_SHOWN = 25
 
 
@@ -55,6 +56,7 @@ def compare_call(scene: RandomScene, call: Call, answer: dict, differences: Diff
                        f"names: {[frame['name'] for frame in answer['frames']]}, not {[frame.name for frame in expected]}")
     for frame, theirs in zip(expected, answer["frames"], strict=False):
         differences.place = frame.name
+        differences.expect(theirs["label"] == frame.label, f"label {theirs['label']}, not {frame.label}")
         compare_frame(call, frame, theirs, differences)
     return len(expected)
 

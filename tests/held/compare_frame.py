@@ -7,7 +7,7 @@ import numpy as np
 from frames import FAN, STRIP, TRIANGLES, Call, Draw, Frame, corners_of, distances
 from light import Light
 from pose import carried, matrix_of
-from surface import FILTERS, Unit
+from surface import FILTERS, WRAPS, Unit
 
 # Barrido reckons in floats: relative to the size of what is reckoned with.
 BOUND = 3e-5
@@ -171,7 +171,7 @@ def compare_draw(call: Call, frame: Frame, draw: Draw, theirs: dict, size: float
     differences.expect((theirs["mesh"], theirs["material"]) == (draw.mesh, -1 if draw.material is None else draw.material), "origin")
     compare_state(call, frame, draw, theirs, differences)
     compare_eye_lights(frame, theirs, size, differences)
-    compare_surface(draw, theirs, differences)
+    compare_surface(call, draw, theirs, differences)
     is_surface = draw.source.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN)
     indices = theirs["indices"] or list(range(theirs["vertex_count"]))
     their_corners = corners_of(theirs["mode"], indices)
@@ -183,11 +183,11 @@ def compare_draw(call: Call, frame: Frame, draw: Draw, theirs: dict, size: float
         corners = np.array(corners).reshape(-1, 3)[draw.order].flatten().tolist()
     if not is_surface:
         differences.expect(theirs["mode"] == draw.source["mode"], "mode")
-    if compare_vertices(frame, draw, theirs, corners, their_corners, size, differences):
+    if compare_vertices(call, frame, draw, theirs, corners, their_corners, size, differences):
         compare_arrays(draw, theirs, corners, their_corners, differences)
 
 
-def compare_vertices(frame: Frame, draw: Draw, theirs: dict, corners: list[int], their_corners: list[int], size: float,
+def compare_vertices(call: Call, frame: Frame, draw: Draw, theirs: dict, corners: list[int], their_corners: list[int], size: float,
                      differences: Differences) -> bool:
     """Positions and normals of the corners in eye space. False where triangles are exchanged because they are as far."""
     eye_from_object = frame.eye_from_world @ draw.vertices.world_from_object
@@ -201,7 +201,7 @@ def compare_vertices(frame: Frame, draw: Draw, theirs: dict, corners: list[int],
         return False
     if not differences.near("positions", seen, ours, BOUND * reach):
         return False
-    compare_normals(draw, theirs, corners, their_corners, eye_from_object, their_matrix, reach, differences)
+    compare_normals(call, draw, theirs, corners, their_corners, eye_from_object, their_matrix, reach, differences)
     return True
 
 
@@ -220,20 +220,40 @@ def nearly_sorted(frame: Frame, ours: np.ndarray, seen: np.ndarray, reach: float
     return np.abs(far(ours) - far(seen)).max() <= 10 * BOUND * reach and np.abs(by_place(ours) - by_place(seen)).max() <= 10 * BOUND * reach
 
 
-def compare_normals(draw: Draw, theirs: dict, corners: list[int], their_corners: list[int], matrix: np.ndarray,
+def made_normals(draw: Draw, corners: list[int], crease: float | None, reach: float) -> tuple[np.ndarray, np.ndarray]:
+    """Where the file has none: at right angles to each triangle, counter-clockwise in the primitive's own space; or, with a crease
+    angle, the sum of the triangles that meet at the point and lean no more than that, by their areas."""
+    triangles = draw.vertices.positions[corners].reshape(-1, 3, 3)
+    first, second = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+    areas = np.cross(first, second)
+    length = np.linalg.norm(areas, axis=1)
+    sizes = np.maximum(np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1), 1e-9)
+    quality = np.repeat(np.minimum(length / sizes, sizes**0.5 / reach), 3)
+    units = areas / np.maximum(length, 1e-300)[:, None]
+    if crease is None:
+        return np.repeat(units, 3, axis=0), quality
+    normals, kept = np.zeros((len(corners), 3)), np.zeros(len(corners))
+    lean = np.degrees(np.arccos(np.clip(units @ units.T, -1, 1)))
+    points = [tuple(point) for point in draw.vertices.positions[corners]]
+    for corner, point in enumerate(points):
+        around = [other // 3 for other in range(len(corners)) if points[other] == point]
+        angles = lean[corner // 3, around]
+        normals[corner] = areas[around][angles <= crease].sum(axis=0)
+        # Angles near the crease's own, and sums of which little is left, are not told apart.
+        clear = np.abs(angles - crease).min() > 0.1 and quality.reshape(-1, 3)[around].min() > 0.01
+        size = np.linalg.norm(normals[corner])
+        kept[corner] = clear * min(quality[corner], size / max(length[around].sum(), 1e-300))
+        normals[corner] /= max(size, 1e-300)
+    return normals, kept
+
+
+def compare_normals(call: Call, draw: Draw, theirs: dict, corners: list[int], their_corners: list[int], matrix: np.ndarray,
                     their_matrix: np.ndarray, reach: float, differences: Differences) -> None:
     if "normal" not in theirs:
         differences.expect(draw.vertices.normals is None, "normals are missing")
         return
     if draw.vertices.normals is None:
-        # Flat: at right angles to the triangle, counter-clockwise in the primitive's own space.
-        triangles = draw.vertices.positions[corners].reshape(-1, 3, 3)
-        first, second = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
-        normals = np.repeat(np.cross(first, second), 3, axis=0)
-        sizes = np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
-        length = np.linalg.norm(normals, axis=1)
-        quality = np.minimum(length / np.maximum(np.repeat(sizes, 3), 1e-9), np.repeat(sizes, 3)**0.5 / reach)
-        normals = normals / np.maximum(length, 1e-300)[:, None]
+        normals, quality = made_normals(draw, corners, call.crease, reach)
     else:
         normals, quality = draw.vertices.normals[corners], draw.vertices.quality[corners]
     ours, kept = carried(np.broadcast_to(matrix[:3, :3], (len(normals), 3, 3)), normals)
@@ -290,11 +310,11 @@ def compare_state(call: Call, frame: Frame, draw: Draw, theirs: dict, difference
     compare_projection(frame, matrix_of(theirs["clip_from_eye"]), differences)
 
 
-def compare_surface(draw: Draw, theirs: dict, differences: Differences) -> None:
+def compare_surface(call: Call, draw: Draw, theirs: dict, differences: Differences) -> None:
     surface = draw.surface
     differences.expect(len(theirs["units"]) == len(surface.units), f"{len(theirs['units'])} units, not {len(surface.units)}")
     for i, (unit, other) in enumerate(zip(surface.units, theirs["units"], strict=False)):
-        compare_unit(f"unit {i}", unit, other, differences)
+        compare_unit(f"unit {i}", call, unit, other, differences)
     if not surface.lit:
         return
     has_colors = "COLOR_0" in draw.source["attributes"]
@@ -306,11 +326,15 @@ def compare_surface(draw: Draw, theirs: dict, differences: Differences) -> None:
     differences.near("shininess", theirs["shininess"], surface.shininess, 1e-4)
 
 
-def compare_unit(what: str, unit: Unit, theirs: dict, differences: Differences) -> None:
+def compare_unit(what: str, call: Call, unit: Unit, theirs: dict, differences: Differences) -> None:
     differences.expect(theirs["env_mode"] == unit.mode, f"{what}: mode {theirs['env_mode']}, not {unit.mode}")
     differences.expect(bool(theirs["generated"]) == unit.reflects, f"{what}: generated coordinates")
     if unit.color is not None:
         differences.near(f"{what}: colour", theirs["env_color"][:3], unit.color, 1e-4)
     if unit.sampler is not None:
-        expected = (FILTERS[unit.sampler.get("minFilter", 9987)], FILTERS[unit.sampler.get("magFilter", 9729)])
+        smaller = call.min_filter or unit.sampler.get("minFilter", 9987)
+        expected = (FILTERS[smaller], FILTERS[unit.sampler.get("magFilter", 9729)])
         differences.expect((theirs["min_filter"], theirs["mag_filter"]) == expected, f"{what}: filters")
+        wraps = [WRAPS[unit.sampler.get(name, 10497)] for name in ("wrapS", "wrapT")]
+        differences.expect(theirs["wraps"] == wraps, f"{what}: wraps {theirs['wraps']}, not {wraps}")
+        differences.near(f"{what}: first texel", theirs["texel"][:3], unit.texel, 1.0 / 255)

@@ -6,6 +6,7 @@
 // Prints a line of JSON a call: {"frames": [...]}, or {"error": "..."} where the call is refused. A frame is
 // its name, its matrices and lights, and its draws in order, each with its state and its vertices, as the
 // pipeline is given them. Matrices stand column by column.
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -152,6 +153,11 @@ void write_units(Writer& out, const pipeline::State& state, const pipeline::Geom
     out.field("env_color", unit.env_color);
     out.field("min_filter", unit.min_filter);
     out.field("mag_filter", unit.mag_filter);
+    const float wraps[] = {static_cast<float>(unit.texture->options().wrap_s),
+                           static_cast<float>(unit.texture->options().wrap_t)};
+    out.field("wraps", wraps);
+    const std::array<float, 4> texel = unit.texture->texel(0, 0, 0, 0);
+    out.field("texel", texel);
     write_attribute(out, "texcoord", geometry.texcoord[i], geometry.vertex_count);
     out.close('}');
   }

@@ -39,6 +39,8 @@ class Call:
     exposure: float = 0.0
     reinhard: bool = False
     cull: str | None = None
+    crease: float | None = None  # Degrees
+    min_filter: int | None = None
     wireframe: bool = False
 
 
@@ -61,6 +63,7 @@ class Draw:
 @dataclasses.dataclass
 class Frame:
     name: str
+    label: str
     shading: str
     eye: Eye
     eye_from_world: np.ndarray
@@ -188,13 +191,20 @@ class Frames:
                   "frame": str(number)}
         return expanded(self._call.output, values, number)
 
+    def _label(self, camera: int | None, shading: str, number: int) -> str:
+        """Of sheets and hashes: what differs from frame to frame."""
+        label = self._call.path.rsplit("/", 1)[-1].rsplit(".", 1)[0] + "/" + shading
+        label += f"/camera{camera}" if camera is not None else ""
+        several = self._call.turntable > 1 or (self._call.frame_range and self._call.frame_range[0] < self._call.frame_range[1])
+        return label + (f"/frame{number}" if several else "")
+
     def _frame(self, camera: int | None, shading: str, number: int, time: float, azimuth: float) -> Frame:
         pose = Pose(self._glb, self._animation, time)
         choice = dataclasses.replace(self._call.view, camera=camera, azimuth=self._call.view.azimuth + azimuth)
         eye = choose_eye(self._tree, self._camera_nodes, pose, self._bounds, choice)
         view = eye_from_world(eye, self._bounds)
         background = self._background()
-        return Frame(self._name(camera, shading, number), shading, eye, view, clip_from_eye(eye, choice.width / choice.height),
+        return Frame(self._name(camera, shading, number), self._label(camera, shading, number), shading, eye, view, clip_from_eye(eye, choice.width / choice.height),
                      self._bounds,
                      chosen_lights(self._tree, self._nodes, pose, self._call.lights, np.linalg.inv(view), self._meter),
                      ambient_of(self._scene, self._call.lights), background, self._fog_color(background),

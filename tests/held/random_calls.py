@@ -11,6 +11,8 @@ from light import Light
 from pose import unit
 from random_scenes import numbers
 
+MIN_FILTERS = {"nearest": 9728, "linear": 9729, "nearest-mipmap-nearest": 9984, "linear-mipmap-nearest": 9985,
+               "nearest-mipmap-linear": 9986, "linear-mipmap-linear": 9987}
 SHADINGS = ["flat", "gouraud", "cheap-phong", "phong"]
 
 
@@ -185,6 +187,12 @@ class RandomCall:
         if self._maybe(0.15):
             self.call.cull = self._rng.choice(["none", "back", "front"])
             self._say("--cull", self.call.cull)
+        if self._maybe(0.3):
+            self.call.crease = self._number("--crease-angle", 0, 180)
+        if self._maybe(0.1):
+            name = self._rng.choice(list(MIN_FILTERS))
+            self.call.min_filter = MIN_FILTERS[name]
+            self._say("--min-filter", name)
         if self._maybe(0.05):
             self.call.wireframe = True
             self._say("--wireframe")

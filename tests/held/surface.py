@@ -8,6 +8,7 @@ import numpy as np
 from glb import Glb
 
 FILTERS = {9728: 0, 9729: 1, 9984: 2, 9985: 3, 9986: 4, 9987: 5}
+WRAPS = {10497: 0, 33648: 1, 33071: 2}
 MODULATE, ADD, COMBINE = 0, 2, 5
 
 
@@ -30,6 +31,7 @@ class Unit:
     color: np.ndarray | None = None  # Constant
     reflects: bool = False
     sampler: dict | None = None
+    texel: np.ndarray | None = None  # RGB of the upper left one, as it is combined
 
 
 @dataclasses.dataclass
@@ -93,11 +95,13 @@ class Materials:
                 surface.diffuse = np.append(surface.diffuse[:3], 1.0)
         return surface
 
-    def _unit(self, info: dict, mode: int) -> Unit:
+    def _unit(self, info: dict, mode: int, factor: np.ndarray | float = 1.0) -> Unit:
         texture = self._tree["textures"][info["index"]]
         sampler = self._tree["samplers"][texture["sampler"]] if "sampler" in texture else {}
         transform = info.get("extensions", {}).get("KHR_texture_transform", {})
-        return Unit(mode, texture_matrix(info), transform.get("texCoord", info.get("texCoord", 0)), sampler=sampler)
+        pixel = self._glb.pictures[texture["source"]][0, 0, :3] / 255
+        texel = np.minimum((linear(pixel) if self._choice.linear else pixel) * factor, 1)
+        return Unit(mode, texture_matrix(info), transform.get("texCoord", info.get("texCoord", 0)), sampler=sampler, texel=texel)
 
     def _add_base_texture(self, surface: Surface, pbr: dict) -> None:
         if self._choice.textures and "baseColorTexture" in pbr:
@@ -158,7 +162,7 @@ class Materials:
             return
         if "emissiveTexture" in source:
             if self._choice.textures:
-                surface.units.append(self._unit(source["emissiveTexture"], ADD))
+                surface.units.append(self._unit(source["emissiveTexture"], ADD, emission))
                 return
             emission = emission * self.mean(source["emissiveTexture"], self._choice.linear)
         if surface.units:
