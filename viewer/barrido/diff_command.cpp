@@ -191,6 +191,10 @@ int run_diff(std::span<const std::string> words) {
         ClockKind::wall, *options.limits.max_seconds,
         options.expected + ", " + options.actual + ": not compared within the seconds of --max-seconds");
   }
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
   return DiffCall(options, console).run();
 }
 

@@ -18,6 +18,7 @@ struct DiffOptions {
   std::string expected, actual;
   std::string output;             ///< Difference picture; empty: none.
   std::string html, junit, json;  ///< Reports; empty: none. "-" is standard output (not for html).
+  int threads = 0;                ///< 0: all
   LimitOptions limits;
   compare::Settings settings;
   compare::DifferenceOptions difference;

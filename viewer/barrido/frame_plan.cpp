@@ -73,10 +73,22 @@ int animation_of(const RenderOptions& options, const FileFacts& file) {
 
 std::string view_name(const PlannedFrame& frame) { return std::string(name_of(frame.view)); }
 
+/// A path that leads to no other place than below the folder that it is appended to.
+std::string folder_name(const std::string& path) {
+  std::filesystem::path folder;
+  for (const auto& part : std::filesystem::path(path).parent_path().lexically_normal().relative_path()) {
+    folder /= part == ".." ? "up" : part;
+  }
+  return folder.empty() ? "." : folder.string();
+}
+
 FrameName name_of_frame(const std::string& path, const PlannedFrame& frame) {
-  return {model_name(path), std::string(name_of(frame.shading)),
-          frame.camera == scene::kNone ? "auto" : std::to_string(frame.camera), frame.number,
-          view_name(frame)};
+  return {model_name(path),
+          std::string(name_of(frame.shading)),
+          frame.camera == scene::kNone ? "auto" : std::to_string(frame.camera),
+          frame.number,
+          view_name(frame),
+          folder_name(path)};
 }
 
 std::string label_of(const RenderOptions& options, const std::string& path, const PlannedFrame& frame) {
@@ -92,7 +104,7 @@ bool has_own_file(const RenderOptions& options) { return !options.output.empty()
 /// "{model} and {shading}": placeholders for what differs from frame to frame that the template lacks.
 std::string missing_placeholders(const RenderOptions& options, const OutputTemplate& output) {
   const std::pair<std::string_view, bool> differing[] = {
-      {"model", options.files.size() > 1},
+      {"model", options.files.size() > 1 && !output.has("folder")},
       {"shading", options.shadings.size() > 1},
       {"camera", options.all_cameras || options.cameras.size() > 1},
       {"frame", has_several_moments(options)},
@@ -175,7 +187,7 @@ std::string sheet_name(const RenderOptions& options) {
     throw UsageError("--output: '" + options.output + "': a sheet is one picture for every {" +
                      std::string(placeholder) + "}; leave it out");
   }
-  return output.expand({model_name(options.files[0]), "", "", 0, ""});
+  return output.expand({model_name(options.files[0]), "", "", 0, "", folder_name(options.files[0])});
 }
 
 void check_output_names(const RenderOptions& options) {

@@ -6,7 +6,8 @@
 namespace barrido::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> kPlaceholders{"model", "shading", "camera", "frame", "view"};
+constexpr std::array<std::string_view, 6> kPlaceholders{"model",  "folder", "shading",
+                                                        "camera", "frame",  "view"};
 
 std::string padded(int number, int width) {
   std::string digits = std::to_string(number);
@@ -60,7 +61,7 @@ void OutputTemplate::add_placeholder(std::string_view inside) {
     return;
   }
   throw ValueError("unknown placeholder {" + std::string(inside) +
-                   "}: expected {model}, {shading}, {camera}, {frame}, {frame:04} or {view}");
+                   "}: expected {model}, {folder}, {shading}, {camera}, {frame}, {frame:04} or {view}");
 }
 
 bool OutputTemplate::has(std::string_view placeholder) const {
@@ -80,6 +81,7 @@ std::string OutputTemplate::expand(const FrameName& name) const {
     if (piece.placeholder == "shading") expanded += name.shading;
     if (piece.placeholder == "camera") expanded += name.camera;
     if (piece.placeholder == "view") expanded += name.view;
+    if (piece.placeholder == "folder") expanded += name.folder;
     if (piece.placeholder == "frame") expanded += padded(name.frame, piece.width);
   }
   return expanded;

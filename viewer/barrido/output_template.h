@@ -15,7 +15,8 @@ struct FrameName {
   std::string shading;  ///< "cheap-phong"
   std::string camera;   ///< Index, or "auto" where none was chosen.
   int frame = 0;
-  std::string view;  ///< "overdraw", or "picture" where it is none.
+  std::string view;         ///< "overdraw", or "picture" where it is none.
+  std::string folder{"."};  ///< Of the model, as it was given: below any folder, "up" in place of "..".
 };
 
 /// "out/{model}-{shading}-{camera}-{frame:04}.png". {{ and }} are braces; {frame:04} is the number with
@@ -25,7 +26,7 @@ class OutputTemplate {
   /// @throws ValueError for an empty template, unknown placeholders and lonely braces.
   explicit OutputTemplate(std::string_view text);
 
-  /// Whether the placeholder ("model", "shading", "camera", "frame", "view") occurs.
+  /// Whether the placeholder ("model", "folder", "shading", "camera", "frame", "view") occurs.
   bool has(std::string_view placeholder) const;
   bool is_standard_output() const;
   std::string expand(const FrameName& name) const;

@@ -80,12 +80,14 @@ constexpr OptionValue always_written(OptionValue value) {
 std::string same_text(std::string_view text) { return std::string(text); }
 
 constexpr RenderOption kOutputOptions[] = {
-    with_short("-o", option("--output", "OUT", kOutput,
-                            "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
-                            "output (PNG). May hold {model} {shading} {camera} {frame} {frame:04} {view}; {{ "
-                            "is a brace. Folders that are missing are made. May be left out with --hash or "
-                            "--stats.",
-                            parsed<&Options::output, stored, copied>())),
+    with_short(
+        "-o",
+        option("--output", "OUT", kOutput,
+               "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
+               "output (PNG). May hold {model} {folder} {shading} {camera} {frame} {frame:04} {view}; {{ "
+               "is a brace. Folders that are missing are made. May be left out with --hash or "
+               "--stats.",
+               parsed<&Options::output, stored, copied>())),
     option("--resolution", "W,H", kPicture, "Size in pixels, each in 1..16384. Default 1280,720.",
            always_written(custom<read_resolution, resolution_text>()), no_editor("the window has its size")),
     option("--view", "LIST", kDrawing,

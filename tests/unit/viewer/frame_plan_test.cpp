@@ -129,6 +129,18 @@ TEST(FramePlan, MissingPlaceholdersAreNamed) {
   EXPECT_EQ(name_complaint({"a.glb", "b.glb", "--hash"}), "");
 }
 
+TEST(FramePlan, FoldersTellModelsOfOneNameApart) {
+  const char* const kOutput = "out/{folder}/{model}.png";
+  EXPECT_EQ(name_complaint({"a/x.glb", "b/x.glb", "-o", kOutput}), "");
+  EXPECT_EQ(name_complaint({"a/x.glb", "b/y.glb", "-o", "{folder}.png"}), "");
+  EXPECT_NE(name_complaint({"a/x.glb", "b/x.glb", "-o", "{model}.png"}), "");
+  const auto name_of = [&](const char* path) { return outputs({path, "-o", kOutput}, {path, 0, 0}).at(0); };
+  EXPECT_EQ(name_of("a/b/x.glb"), "out/a/b/x.png");
+  EXPECT_EQ(name_of("x.glb"), "out/./x.png");
+  EXPECT_EQ(name_of("/a/x.glb"), "out/a/x.png");
+  EXPECT_EQ(name_of("../../a/x.glb"), "out/up/up/a/x.png");
+}
+
 TEST(FramePlan, EqualNamesAreRefused) {
   EXPECT_EQ(name_complaint({"x/a.glb", "y/a.gltf", "-o", "{model}.png"}),
             "a.png: two frames would have this name: x/a.glb phong and y/a.gltf phong");

@@ -41,9 +41,9 @@ TEST(OutputTemplate, MistakesAreRefused) {
     OutputTemplate("{name}.png");
     FAIL();
   } catch (const ValueError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "unknown placeholder {name}: expected {model}, {shading}, {camera}, {frame}, {frame:04} or {view}");
+    EXPECT_STREQ(error.what(),
+                 "unknown placeholder {name}: expected {model}, {folder}, {shading}, {camera}, {frame}, "
+                 "{frame:04} or {view}");
   }
 }
 
