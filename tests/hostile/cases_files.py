@@ -98,11 +98,13 @@ def no_files() -> Iterator[Case]:
 def data_uris() -> Iterator[Case]:
     good = base64.b64encode(bytes(triangle().data)).decode()
     for name, uri in [("no comma", "data:application/octet-stream;base64"), ("no data", "data:;base64,"), ("one letter", "data:;base64,A"),
-                      ("other letters", "data:;base64,A?=="), ("blanks", "data:;base64," + " ".join(good)), ("padding in the middle", "data:;base64,AA==" + good),
-                      ("cut", "data:;base64," + good[:20]), ("percent-encoded base64", "data:;base64," + "".join(f"%{ord(c):02x}" for c in good)),
+                      ("other letters", "data:;base64,A?=="), ("padding in the middle", "data:;base64,AA==" + good),
+                      ("cut", "data:;base64," + good[:20]),
                       ("no base64", "data:,abc"), ("bad percents", "data:,%zz%"), ("padding only", "data:;base64,===="), ("a million commas", "data:" + "," * 1_000_000)]:
         yield from uri_case(f"data {name}", uri)
-    yield from uri_case("data with another case", "DATA:;base64," + good, "fine", arrays=("buffers",))
+    for name, uri in [("another case", "DATA:;BASE64," + good), ("blanks", "data:;base64," + " ".join(good)), ("line ends", "data:;base64," + "\r\n".join(good)),
+                      ("percents", "data:;base64," + "".join(f"%{ord(c):02x}" for c in good))]:
+        yield from uri_case(f"data with {name}", uri, "fine", arrays=("buffers",))
     yield from uri_case("data without padding", "data:;base64," + good.rstrip("="), "fine", arrays=("buffers",))
 
 

@@ -82,6 +82,10 @@ BarridoOiioReader* open_reader(const char* path, const char* format, BarridoOiio
       return nullptr;
     }
     reader->header = header_of(spec);
+    // Of Radiance's "+X +Y" and "-X -Y" OpenImageIO 2.4 gives each the number of the other.
+    int32_t& orientation = reader->header.orientation;
+    if (std::strcmp(format, "hdr") == 0 && (orientation == 6 || orientation == 8))
+      orientation = 14 - orientation;
     *header = reader->header;
     return reader.release();
   });
