@@ -188,7 +188,7 @@ class Frames:
     def _name(self, camera: int | None, shading: str, number: int) -> str:
         model = self._call.path.rsplit("/", 1)[-1].rsplit(".", 1)[0]
         values = {"model": model, "shading": shading, "camera": "auto" if camera is None else str(camera), "view": "picture",
-                  "frame": str(number)}
+                  "frame": str(number), "folder": self._call.path.rpartition("/")[0].lstrip("/")}
         return expanded(self._call.output, values, number)
 
     def _label(self, camera: int | None, shading: str, number: int) -> str:

@@ -233,7 +233,7 @@ class RandomCall:
         call, rng = self.call, self._rng
         needed = [name for name, differs in (("shading", len(call.shadings) > 1), ("camera", call.cameras is not None),
                                              ("frame", call.turntable > 1 or call.frame_range is not None)) if differs]
-        placeholders = needed + rng.sample(["model", "shading", "camera", "frame", "view"], rng.randint(0, 2))
+        placeholders = needed + rng.sample(["model", "shading", "camera", "frame", "view", "folder"], rng.randint(0, 2))
         pieces = [rng.choice(["frame", "frame:03", "frame:01"]) if name == "frame" else name for name in placeholders]
         call.output = rng.choice(["out/", "", "a{{b}}"]) + "-".join("{" + piece + "}" for piece in pieces) + "x.png"
 
