@@ -48,7 +48,7 @@ TEST(ShadingModes, AreToldByTheDocumentation) {
     std::string row = "| `" + std::string(mode.name) + "` |";
     for (const std::string_view fact :
          {mode.interpolated, mode.at_vertices, mode.at_polygon, mode.at_fragments, mode.cost}) {
-      row += " " + std::string(fact) + " |";
+      row.append(" ").append(fact).append(" |");
     }
     EXPECT_NE(text.find(row), std::string::npos) << "docs/shading.md has no line\n" << row;
   }
