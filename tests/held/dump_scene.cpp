@@ -22,7 +22,6 @@
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "viewer/barrido/frame_plan.h"
-#include "viewer/barrido/frame_settings.h"
 #include "viewer/barrido/render_options.h"
 
 namespace {
