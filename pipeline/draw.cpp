@@ -1,7 +1,6 @@
 // The page that shows how a frame is made:
 //
-//   State, Geometry ──▶ DrawPlan            the state compiled once: light, varyings, the stages of a
-//   fragment
+//   State, Geometry ──▶ DrawPlan            the state compiled once: light, varyings, a fragment's stages
 //        │                                  (draw_plan.cpp)
 //        ▼
 //   vertices ──▶ transform, light ──▶       one record a vertex: window position, depth, 1/w, varyings

@@ -44,7 +44,7 @@ json& compress(Model& model, int view, const Stream& stream, const char* mode, s
   return views[static_cast<std::size_t>(view)]["extensions"]["EXT_meshopt_compression"];
 }
 
-constexpr std::size_t kSide = 17;
+constexpr std::uint32_t kSide = 17;
 
 /// A bent sheet of kSide² vertices.
 struct Sheet {

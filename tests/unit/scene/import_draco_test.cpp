@@ -58,8 +58,6 @@ Model with_stream(const Stream& stream, std::size_t points) {
   return model;
 }
 
-json& extension(Model& model) { return primitive(model)["extensions"]["KHR_draco_mesh_compression"]; }
-
 class DracoMethods : public testing::TestWithParam<int> {};
 
 TEST_P(DracoMethods, GiveTheMeshThatWentIn) {
