@@ -143,6 +143,7 @@ TEST(ValidateShape, ANodeWithExtrasOfAnyKindIsNotEmpty) {
   const auto lines_with = [](const json& extras) {
     Model model = sound_triangle();
     model.append("nodes", {{"extras", extras}});
+    model.document["scenes"] = {{{"nodes", {0, 1}}}};
     return lines_of(validate(model));
   };
   using Lines = std::vector<std::string>;
