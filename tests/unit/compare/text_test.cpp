@@ -16,9 +16,17 @@ TEST(FiguresText, StandsLineByLine) {
             "  RMS error  = 0.01\n"
             "  Peak SNR   = 40\n"
             "  Max error  = 0.5 @ (12, 7, G)  values are 0.5, 0.5, 0.5, 1 vs 0.5, 1, 0.5, 1\n"
-            "  60 pixels (5%) over 1e-06\n"
             "  30 pixels (2.5%) over 1e-06\n"
             "  FLIP mean  = 0.25, weighted median 0.3, max 0.9\n");
+}
+
+TEST(FiguresText, TellsApartWarningsAndFailures) {
+  Thresholds thresholds;
+  thresholds.warn = 0.25f;
+  thresholds.fail = 0.5f;
+  EXPECT_NE(figures_text(result_of("x.png", Outcome::different), thresholds)
+                .find("  60 pixels (5%) over 0.25 (warn)\n  30 pixels (2.5%) over 0.5 (fail)\n"),
+            std::string::npos);
 }
 
 TEST(FiguresText, ValuesOfGreyAndAlpha) {

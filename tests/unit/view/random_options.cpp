@@ -171,6 +171,7 @@ cli::RenderOptions RandomOptions::next() {
   }
   if (coin()) options.time_s = std::ldexp(static_cast<double>(engine_()), -30);
   if (coin()) options.animation = whole(3);
+  if (coin()) options.settings.variant = "variant " + std::to_string(whole(3));
   return options;
 }
 
@@ -184,6 +185,7 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(cameras);
   EXPECT_SAME(time_s);
   EXPECT_SAME(animation);
+  EXPECT_SAME(settings.variant);
   EXPECT_SAME(settings.width);
   EXPECT_SAME(settings.height);
   EXPECT_SAME(settings.flat_at);

@@ -59,6 +59,7 @@ class RandomValues {
     if (form == "LIST") return {"1,7,3", "2"};
     if (form == "OUT" || form == "FILE" || form == "PATH") return {"a folder/it's $here", "dynamic"};
     if (form == "text|json") return {"text", "json"};
+    if (form == "NAME") return {"midnight", "it's $here", "2"};
     if (form == "SET") return {"auto", "scalar"};
     if (form == "SIZE") return {"16M", "1.5G", "123456789K"};
     if (form == "SPEC") {
