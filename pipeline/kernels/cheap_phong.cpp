@@ -56,20 +56,21 @@ void dots_at_points(const Illumination& illumination, const SurfacePoints& point
   }
 }
 
-template <bool kTracked>
+/// kDimmed: `visibility` says how much of the light arrives.
+template <bool kTracked, bool kDimmed>
 HWY_INLINE void add_dots(const Illumination& illumination, const IlluminatingLight& light, V n_dot_l,
                          V highlight, bool power_here, std::size_t side, const float* visibility,
                          Sums& sums) {
   V diffuse = positive(n_dot_l);
-  if (visibility != nullptr) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
+  if constexpr (kDimmed) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
   if (!light.shines[side]) return;
   V specular = power_here ? shine(n_dot_l, highlight, illumination.shininess[side]) : highlight;
-  if (visibility != nullptr) specular = hn::Mul(specular, hn::Load(F(), visibility));
+  if constexpr (kDimmed) specular = hn::Mul(specular, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.secondary, light.specular, side, specular);
 }
 
-template <bool kTracked>
+template <bool kTracked, bool kDimmed>
 void colors_from_dots(const Illumination& illumination, const InterpolatedDots& dots, const LitColors& out) {
   const F d;
   const std::size_t side = dots.back && illumination.two_sided ? 1 : 0;
@@ -83,9 +84,9 @@ void colors_from_dots(const Illumination& illumination, const InterpolatedDots& 
     for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
       const V n_dot_l = hn::Load(d, dots.columns[2 * l] + i);
       const V highlight = hn::Load(d, dots.columns[2 * l + 1] + i);
-      const float* visibility = dots.visibility.empty() ? nullptr : dots.visibility[l] + i;
-      add_dots<kTracked>(illumination, illumination.lights[l], n_dot_l, highlight, power_here, side,
-                         visibility, sums);
+      const float* visibility = kDimmed ? dots.visibility[l] + i : nullptr;
+      add_dots<kTracked, kDimmed>(illumination, illumination.lights[l], n_dot_l, highlight, power_here, side,
+                                  visibility, sums);
     }
     store_sums(illumination, sums, dots.color, side, i, out);
   }
@@ -101,11 +102,11 @@ void CheapPhongDots(const Illumination& illumination, const SurfacePoints& point
 }
 
 void CheapPhongColors(const Illumination& illumination, const InterpolatedDots& dots, const LitColors& out) {
-  if (illumination.tracks_color) {
-    colors_from_dots<true>(illumination, dots, out);
-  } else {
-    colors_from_dots<false>(illumination, dots, out);
-  }
+  const bool dimmed = !dots.visibility.empty();
+  const auto run = illumination.tracks_color
+                       ? (dimmed ? colors_from_dots<true, true> : colors_from_dots<true, false>)
+                       : (dimmed ? colors_from_dots<false, true> : colors_from_dots<false, false>);
+  run(illumination, dots, out);
 }
 
 }  // namespace barrido::pipeline::HWY_NAMESPACE

@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace barrido::pipeline::HWY_NAMESPACE {
 
-template <bool kTracked>
+/// kDimmed: `visibility` says how much of the light arrives.
+template <bool kTracked, bool kDimmed>
 HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLight& light,
                           const Surface& surface, std::size_t side, const float* visibility, Sums& sums) {
   const bool shines = light.shines[side];
@@ -23,35 +24,35 @@ HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLi
     diffuse = hn::Mul(diffuse, at.factor);
     add_terms<kTracked>(sums, sums.primary, light.ambient, side, at.factor);
   }
-  if (visibility != nullptr) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
+  if constexpr (kDimmed) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
   if (!shines) return;
   V specular = shine(at.n_dot_l, at.highlight, illumination.shininess[side]);
   if (light.weakens) specular = hn::Mul(specular, at.factor);
-  if (visibility != nullptr) specular = hn::Mul(specular, hn::Load(F(), visibility));
+  if constexpr (kDimmed) specular = hn::Mul(specular, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.secondary, light.specular, side, specular);
 }
 
-template <bool kTracked>
+template <bool kTracked, bool kDimmed>
 void illuminate_points(const Illumination& illumination, const SurfacePoints& points, const LitColors& out) {
   const std::size_t side = points.back && illumination.two_sided ? 1 : 0;
   for (int i = 0; i < points.count; i += kLanes) {
     const Surface surface = load_surface(illumination, points, i);
     Sums sums = start_sums<kTracked>(illumination, points.color, side, i);
     for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
-      const float* visibility = points.visibility.empty() ? nullptr : points.visibility[l] + i;
-      add_light<kTracked>(illumination, illumination.lights[l], surface, side, visibility, sums);
+      const float* visibility = kDimmed ? points.visibility[l] + i : nullptr;
+      add_light<kTracked, kDimmed>(illumination, illumination.lights[l], surface, side, visibility, sums);
     }
     store_sums(illumination, sums, points.color, side, i, out);
   }
 }
 
 void Illuminate(const Illumination& illumination, const SurfacePoints& points, const LitColors& out) {
-  if (illumination.tracks_color) {
-    illuminate_points<true>(illumination, points, out);
-  } else {
-    illuminate_points<false>(illumination, points, out);
-  }
+  const bool dimmed = !points.visibility.empty();
+  const auto run = illumination.tracks_color
+                       ? (dimmed ? illuminate_points<true, true> : illuminate_points<true, false>)
+                       : (dimmed ? illuminate_points<false, true> : illuminate_points<false, false>);
+  run(illumination, points, out);
 }
 
 }  // namespace barrido::pipeline::HWY_NAMESPACE
