@@ -1,6 +1,7 @@
 # Run by `cmake --install`, with SOURCE_DIR and PUBLIC_HEADERS (relative to it): installs these headers and all that they
 # include. "pipeline/..." becomes <barrido/pipeline/...> on the way, so that no folder of a user's own project can take
 # the place of Barrido's.
+cmake_policy(SET CMP0057 NEW)  # if(IN_LIST)
 set(destination "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${HEADER_DIR}")
 set(waiting ${PUBLIC_HEADERS})
 set(done "")

@@ -97,6 +97,7 @@ void spare_depth(Eye& eye, const Sphere& bounds) {
   if (depth_ratio(eye, bounds) <= kCoarseRatio) return;
   const double depth = glm::dot(bounds.center - eye.position, forward_of(eye, bounds));
   const double nearest = depth - bounds.radius * 1.02 - std::abs(depth) * 1e-3;
+  if (eye.far_plane != 0.0 && !(nearest < eye.far_plane)) return;  // nothing of it can be seen anyway
   eye.near_plane = std::max(eye.near_plane, nearest);
 }
 

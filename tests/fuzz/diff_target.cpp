@@ -57,7 +57,9 @@ void check_figures(const compare::Figures& figures, const scene::StoredPicture& 
   const std::uint64_t pixels = figures.pixels;
   require(figures.over_zero <= pixels && figures.over_fail <= pixels && figures.over_warn <= pixels,
           "more pixels differ than there are");
-  require(!std::isnan(figures.mean) && !std::isnan(figures.rms) && !std::isnan(figures.max),
+  // A NaN or an infinity that meets something else leaves no mean.
+  require(figures.incomparable > 0 ||
+              (!std::isnan(figures.mean) && !std::isnan(figures.rms) && !std::isnan(figures.max)),
           "a figure is no number");
   const auto& worst = figures.worst;
   require(worst.x >= 0 && worst.x < std::max(a.width, b.width) && worst.y >= 0 &&

@@ -132,8 +132,11 @@ class Frames:
         self._bounds = self._find_bounds()
         standing = Pose(glb)
         # Exposure looks at vertices as the file has them, neither morphed nor skinned.
+        # Every so many are asked, and those of them count that are drawn.
         parts = [self._unposed(standing, node, primitive) for node, _, _, primitive in self._primitives()]
-        self._meter = metered(file_lights(self._tree, self._nodes, standing), parts)
+        drawn = [self._is_drawn(primitive, len(part.positions))
+                 for part, (_, _, _, primitive) in zip(parts, self._primitives(), strict=True)]
+        self._meter = metered(file_lights(self._tree, self._nodes, standing), parts, drawn)
 
     def _primitives(self) -> Iterator[tuple[int, int, int, dict]]:
         for node in self._nodes:
@@ -150,6 +153,11 @@ class Frames:
     def _corners(self, primitive: dict, count: int) -> list[int]:
         indices = self._glb.values[primitive["indices"]][:, 0].astype(int).tolist() if "indices" in primitive else list(range(count))
         return corners_of(primitive.get("mode", TRIANGLES), indices)
+
+    def _is_drawn(self, primitive: dict, count: int) -> np.ndarray:
+        drawn = np.zeros(count, bool)
+        drawn[sorted(set(self._corners(primitive, count)))] = True
+        return drawn
 
     def _drawn(self, vertices: Vertices, primitive: dict) -> Vertices:
         """Those that belong to a point, a line or a triangle."""

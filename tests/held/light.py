@@ -67,7 +67,7 @@ def weakened(light: Light, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.where(distance > 0, factor, 0.0), np.where(distance[:, None] > 0, towards, 0.0)
 
 
-def metered(lights: list[Light], parts: list[Vertices]) -> float:
+def metered(lights: list[Light], parts: list[Vertices], drawn: list[np.ndarray]) -> float:
     """The factor for physical lights: what the 85th of a hundred lit vertices sends back is brought into [0.25, 1]."""
     lights = [light for light in lights if light.physical]
     count = sum(len(part.positions) for part in parts)
@@ -83,7 +83,8 @@ def metered(lights: list[Light], parts: list[Vertices]) -> float:
         else:
             moved = part.normals @ np.linalg.inv(matrix[:3, :3])
             normals.append(moved / np.linalg.norm(moved, axis=1, keepdims=True))
-    positions, facing = np.concatenate(points)[::step], np.concatenate(normals)[::step]
+    chosen = np.concatenate(drawn)[::step]
+    positions, facing = np.concatenate(points)[::step][chosen], np.concatenate(normals)[::step][chosen]
     received = np.zeros(len(positions))
     for light in lights:
         factor, towards = weakened(light, positions)

@@ -78,7 +78,8 @@ def near(ours, theirs) -> bool:
 def expect_text(pair: Pair, limits: dict, text: str, lines: list[str]) -> None:
     for name in ("warn", "fail"):
         count = pair.pixels_over(limits[name])
-        line = f"  {count} pixels ({100 * count / pair.pixels:.3g}%) over {limits[name]:.6g}"
+        kind = f" ({name})" if limits["warn"] != limits["fail"] else ""
+        line = f"  {count} pixels ({100 * count / pair.pixels:.3g}%) over {limits[name]:.6g}{kind}"
         if line not in text.splitlines():
             lines.append(f"'{line}' is missing in: {text}")
 

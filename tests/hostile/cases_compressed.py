@@ -96,12 +96,14 @@ def meshopt() -> Iterator[Case]:
     for seed, (name, mode, filter_, stride, count) in enumerate(seeds):
         stream = (CORPUS / "meshopt" / name).read_bytes()[3:]
         for change, data in changed_streams(stream, seed):
+            # The animation that reads them is left out.
+            cut = change.startswith("cut")
             yield case(f"meshopt {name} {change}", meshopt_model(data, mode, filter_, stride, count),
-                       "error" if change.startswith("cut") else "either")
+                       "warned" if cut else "either", "bufferViews[2]" if cut else "")
         for lie in HUGE:
             yield case(f"meshopt {name} count {lie}", meshopt_model(stream, mode, filter_, stride, lie, 1200))
         for lie in [0, 1, 3, 6, 257, 2**31]:
-            yield case(f"meshopt {name} stride {lie}", meshopt_model(stream, mode, filter_, lie, count, 1200))
+            yield case(f"meshopt {name} stride {lie}", meshopt_model(stream, mode, filter_, lie, count, 1200), "told", "bufferViews[2]")
     for key, value in [("buffer", 7), ("buffer", -1), ("buffer", "0"), ("byteOffset", 2**53), ("byteLength", 2**53),
                        ("mode", "WRONG"), ("mode", None), ("filter", "WRONG"), ("count", 1.5), ("byteStride", [])]:
         model = meshopt_model((CORPUS / "meshopt/positions").read_bytes()[3:], "ATTRIBUTES", "NONE", 12, 120)

