@@ -150,7 +150,8 @@ class Pose:
         world = self.world[node]
         skinned = "skin" in self._nodes[node] and "JOINTS_0" in primitive["attributes"]
         if skinned:
-            matrices = self._skin_matrices(self._nodes[node]["skin"], primitive["attributes"])
+            joints = self._joint_matrices(self._nodes[node]["skin"])
+            matrices = weighted(joints, self._glb.values, primitive["attributes"])
             positions = np.einsum("vij,vj->vi", matrices[:, :3, :3], positions) + matrices[:, :3, 3]
             world = np.eye(4)
             if normals is not None:
@@ -158,19 +159,25 @@ class Pose:
                 quality = quality * kept
         if normals is not None:
             normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-        mirrored = np.linalg.det(matrices[:, :3, :3]) < 0 if skinned else None
+        # A sum of joints that mirror nothing may fold a surface, but means no mirror.
+        means_mirror = skinned and bool((np.linalg.det(joints[:, :3, :3]) < 0).any())
+        mirrored = np.linalg.det(matrices[:, :3, :3]) < 0 if means_mirror else None
         return Vertices(world, positions, normals, quality, skinned, mirrored)
 
-    def _skin_matrices(self, skin_index: int, attributes: dict) -> np.ndarray:
-        """A matrix a vertex (section 3.7.3.3). Weights are used as if their sum were 1."""
+    def _joint_matrices(self, skin_index: int) -> np.ndarray:
         skin = self._tree["skins"][skin_index]
         joints = np.array([self.world[joint] for joint in skin["joints"]])
         if "inverseBindMatrices" in skin:
             bind = self._glb.values[skin["inverseBindMatrices"]][:len(joints)].reshape(-1, 4, 4).transpose(0, 2, 1)
             joints = joints @ bind
-        weights = self._glb.values[attributes["WEIGHTS_0"]]
-        weights = weights / weights.sum(axis=1, keepdims=True)
-        return np.einsum("vk,vkij->vij", weights, joints[self._glb.values[attributes["JOINTS_0"]].astype(int)])
+        return joints
+
+
+def weighted(joints: np.ndarray, values: list[np.ndarray], attributes: dict) -> np.ndarray:
+    """A matrix a vertex (section 3.7.3.3). Weights are used as if their sum were 1."""
+    weights = values[attributes["WEIGHTS_0"]]
+    weights = weights / weights.sum(axis=1, keepdims=True)
+    return np.einsum("vk,vkij->vij", weights, joints[values[attributes["JOINTS_0"]].astype(int)])
 
 
 def carried(matrices: np.ndarray, normals: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

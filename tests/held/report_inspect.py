@@ -7,6 +7,7 @@ import random
 
 import numpy as np
 
+from compare_frame import clear_color
 from frames import FAN, STRIP, TRIANGLES, Call, Draw, Frame, Frames
 from light import Light, weakened
 from random_scenes import RandomScene
@@ -169,7 +170,7 @@ def check(program, lines: list[str]) -> int:
             lines.append(f"seed {seed}: {error!r}")
             continue
         story = json.loads(text)
-        report.near("clear", story["clear"]["color"], frame.background, 1e-4)
+        report.near("clear", story["clear"]["color"], clear_color(frame, {"draws": [f["source"] for f in story["fragments"]]}), 1e-4)
         for fragment in story["fragments"]:
             if not fragment["source"]["backdrop"]:
                 check_fragment(frame, fragment, report)
