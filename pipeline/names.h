@@ -7,14 +7,12 @@
 namespace barrido {
 
 template <>
-inline constexpr auto kNames<pipeline::ShadeModel> = [] {
-  std::array<Named<pipeline::ShadeModel>, pipeline::kShadingModeCount> names{};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const pipeline::ShadingMode& mode = pipeline::kShadingModes[i];
-    names[i] = {mode.model, mode.name, mode.words};
-  }
-  return names;
-}();
+inline constexpr auto kNames<pipeline::ShadeModel> = []<std::size_t... rows>(std::index_sequence<rows...>) {
+  return std::array<Named<pipeline::ShadeModel>, sizeof...(rows)>{
+      {{pipeline::kShadingModes[rows].model, pipeline::kShadingModes[rows].name,
+        pipeline::kShadingModes[rows].words}...}};
+}
+(std::make_index_sequence<pipeline::kShadingModeCount>());
 
 template <>
 inline constexpr auto kNames<pipeline::FlatAt> = std::to_array<Named<pipeline::FlatAt>>(
