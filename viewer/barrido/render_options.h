@@ -18,15 +18,14 @@ namespace barrido {
 
 /// The picture itself, then the views.
 template <>
-inline constexpr auto kNames<std::optional<inspect::StructureView>> = [] {
-  std::array<Named<std::optional<inspect::StructureView>>, inspect::kStructureViewCount + 1> names{};
-  names[0] = {std::nullopt, "picture"};
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    const Named<inspect::StructureView>& view = kNames<inspect::StructureView>[i - 1];
-    names[i] = {view.value, view.name};
-  }
-  return names;
-}();
+inline constexpr auto kNames<std::optional<inspect::StructureView>> = [
+]<std::size_t... rows>(std::index_sequence<rows...>) {
+  return std::array<Named<std::optional<inspect::StructureView>>, sizeof...(rows) + 1>{
+      {{std::nullopt, "picture", "picture"},
+       {kNames<inspect::StructureView>[rows].value, kNames<inspect::StructureView>[rows].name,
+        kNames<inspect::StructureView>[rows].name}...}};
+}
+(std::make_index_sequence<static_cast<std::size_t>(inspect::kStructureViewCount)>());
 
 }  // namespace barrido
 
