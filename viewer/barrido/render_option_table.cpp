@@ -76,10 +76,6 @@ constexpr OptionValue always_written(OptionValue value) {
   return value;
 }
 
-/// A name stands for itself.
-std::string parse_name(std::string_view text) { return std::string(text); }
-std::string name_text(const std::string& name) { return name; }
-
 constexpr RenderOption kOutputOptions[] = {
     with_short(
         "-o",
@@ -220,7 +216,7 @@ constexpr RenderOption kCameraOptions[] = {
     option("--scene", "N", kPicture, "Scene of the file, from 0. Default: the file's default.",
            number<&Settings::scene_index>(0, 1'000'000), no_editor("few files have several")),
     option("--variant", "NAME", kPicture, "Variant of the materials (KHR_materials_variants).",
-           parsed<&Settings::variant, parse_name, name_text>(), no_editor("few files have any")),
+           parsed<&Settings::variant, stored, copied>(), no_editor("few files have any")),
 };
 
 constexpr RenderOption kAnimationOptions[] = {
