@@ -16,8 +16,12 @@ function(barrido_module target)
   # Highway: every kernel is compiled for each attainable target and chosen at run time. Before 12.3 g++'s automatic
   # vectorizer miscompiles Highway's portable target (GCC bug 106322), for which Highway then falls back to one lane
   # without 16-bit arithmetic. The kernels are vectors already, so the vectorizer is switched off instead.
-  target_compile_definitions(${target} PRIVATE HWY_COMPILE_ALL_ATTAINABLE HWY_BROKEN_EMU128=0
-                                               "HWY_DISABLED_TARGETS=${BARRIDO_DISABLED_SIMD}")
+  foreach(source ${ARGN})
+    if(source MATCHES "/kernels/|/(highway_targets|simd_target)\\.cpp$")
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS HWY_COMPILE_ALL_ATTAINABLE HWY_BROKEN_EMU128=0
+                                                    "HWY_DISABLED_TARGETS=${BARRIDO_DISABLED_SIMD}")
+    endif()
+  endforeach()
   target_compile_options(${target} PRIVATE -fno-tree-vectorize)
   barrido_warnings(${target})
 endfunction()
