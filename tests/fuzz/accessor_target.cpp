@@ -10,7 +10,7 @@
 #include "input.h"
 #include "model_file.h"
 #include "pipeline/gltf/accessor.h"
-#include "viewer/compare/base64.h"
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::fuzz {
 namespace {

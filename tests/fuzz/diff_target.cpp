@@ -7,10 +7,9 @@
 #include "viewer/compare/false_color.h"
 #include "viewer/compare/figures_text.h"
 #include "viewer/compare/html_page.h"
-#include "viewer/compare/json_report.h"
-#include "viewer/compare/junit_report.h"
 #include "viewer/compare/report_pictures.h"
 #include "viewer/compare/same_footing.h"
+#include "viewer/compare/text_reports.h"
 
 namespace barrido::fuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mutators.h"
-#include "viewer/compare/base64.h"
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::fuzz {
 namespace {

@@ -21,8 +21,7 @@
 #include "viewer/compare/bless.h"
 #include "viewer/compare/figures_text.h"
 #include "viewer/compare/html_report.h"
-#include "viewer/compare/json_report.h"
-#include "viewer/compare/junit_report.h"
+#include "viewer/compare/text_reports.h"
 
 namespace barrido::cli {
 namespace {

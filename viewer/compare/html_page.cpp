@@ -3,7 +3,7 @@
 #include "viewer/compare/false_color.h"
 #include "viewer/compare/figures_text.h"
 #include "viewer/compare/html_assets.h"
-#include "viewer/compare/junit_report.h"
+#include "viewer/compare/text_reports.h"
 #include "viewer/compare/viewer_data.h"
 
 namespace barrido::compare {

@@ -6,9 +6,9 @@
 
 #include "pipeline/files/error.h"
 #include "pipeline/files/write_file.h"
-#include "viewer/compare/base64.h"
 #include "viewer/compare/html_page.h"
 #include "viewer/compare/report_pictures.h"
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/compare/json_report.h"
+#include "viewer/compare/text_reports.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
-#include "viewer/compare/junit_report.h"
+#include "viewer/compare/text_reports.h"
 
 #include "viewer/compare/figures_text.h"
-#include "viewer/compare/utf8.h"
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::compare {
 namespace {

@@ -1,5 +1,5 @@
 // The report for programs.
-#include "viewer/compare/json_report.h"
+#include "viewer/compare/text_reports.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

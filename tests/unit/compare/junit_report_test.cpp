@@ -1,5 +1,5 @@
 // The report for CI systems; that it is XML is tested with a reader of XML, in check_junit.py.
-#include "viewer/compare/junit_report.h"
+#include "viewer/compare/text_reports.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/compare/results.h"
-#include "viewer/compare/base64.h"
 #include "viewer/compare/figures_text.h"
-#include "viewer/compare/utf8.h"
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::compare::test {
 namespace {

@@ -1,6 +1,4 @@
-#include "viewer/compare/utf8.h"
-
-#include <cstdint>
+#include "viewer/compare/text_encoding.h"
 
 namespace barrido::compare {
 namespace {
@@ -43,6 +41,20 @@ std::string valid_utf8(std::string_view text) {
     text.remove_prefix(length > 0 ? length : 1);
   }
   return valid;
+}
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+    }
+  }
+  return text;
 }
 
 }  // namespace barrido::compare
