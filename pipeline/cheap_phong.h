@@ -36,6 +36,7 @@ struct InterpolatedDots {
   std::span<const float* const> columns;       ///< As written by cheap_phong_dots.
   std::array<const float*, 4> color{};         ///< Unused unless Illumination::tracks_color.
   std::span<const float* const> visibility{};  ///< As SurfacePoints::visibility.
+  const float* occlusion = nullptr;            ///< As SurfacePoints::occlusion.
 };
 
 /// C = base + ambient + Σ (f N·L)⁺ d + [N·L > 0] (f^(1/n) h)^n s. Not clamped.

@@ -41,6 +41,10 @@ void check(const State& state) {
   require(state.line_width > 0.0f, "the line width must be positive");
   require(!state.scissor.enabled || (state.scissor.width >= 0 && state.scissor.height >= 0),
           "scissor: sides must not be negative");
+  for (const raster::TextureUnit& unit : state.texture_units) {
+    require(unit.combine.alpha.function < raster::CombineFunction::dot3_rgb,
+            "texture environment: dot3 is a combination of colours, not of alpha");
+  }
 }
 
 void check(const Geometry& geometry) {
@@ -51,6 +55,8 @@ void check(const Geometry& geometry) {
   check(geometry.position, "position", 2, 4);
   check(geometry.normal, "normal", 3, 3);
   check(geometry.color, "color", 3, 4);
+  check(geometry.tangent, "tangent", 3, 4);
+  check(geometry.bitangent, "bitangent", 3, 3);
   for (const Attribute& texcoord : geometry.texcoord) check(texcoord, "texcoord", 2, 4);
 }
 

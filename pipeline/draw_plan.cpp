@@ -6,6 +6,7 @@
 #include "pipeline/bounded.h"
 #include "pipeline/checks.h"
 #include "pipeline/fragment_shading.h"
+#include "pipeline/map_stages.h"
 #include "pipeline/matrix.h"
 #include "pipeline/primitive_mode.h"
 
@@ -163,6 +164,7 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   fragment.scissor = scissor_of(state, viewport, frame, topology);
   fragment.separate_specular = lit != nullptr && lit->separate_specular;
   plan_texcoords(state, geometry);
+  plan_tangents(state, geometry);
   plan_stages();
   fragment.varyings = lay_out(state, geometry, fragment.stages);
 
@@ -182,17 +184,59 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   marks_back_faces = two_sided && origin.at_fragments;
 }
 
+/// Only Phong's fragments have a normal to change, and only fragments that are lit have ambient light of
+/// their own.
+bool DrawPlan::uses(raster::TextureRole role) const {
+  using Role = raster::TextureRole;
+  switch (role) {
+    case Role::environment:
+      return true;
+    case Role::normal:
+    case Role::bump:
+      return origin.at_fragments && !origin.at_vertices;
+    case Role::occlusion:
+      return origin.at_fragments;
+    case Role::shine:
+      break;
+  }
+  return fragment.separate_specular;
+}
+
 void DrawPlan::plan_texcoords(const State& state, const Geometry& geometry) {
   for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
     const raster::TextureUnit& u = state.texture_units[unit];
-    if (u.texture == nullptr && u.procedure == nullptr) continue;
+    if ((u.texture == nullptr && u.procedure == nullptr) || !uses(u.role)) continue;
     texcoords[unit] = texcoord_plan(state.texture_coordinates[unit], texcoord_kind(state, geometry, unit));
+  }
+}
+
+/// What the maps of normals and heights want to know of the surface.
+void DrawPlan::plan_tangents(const State& state, const Geometry& geometry) {
+  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
+    const raster::TextureRole role = state.texture_units[unit].role;
+    const bool tilts = role == raster::TextureRole::normal || role == raster::TextureRole::bump;
+    if (!texcoords[unit].is_on || !tilts) continue;
+    if (!is_flat(texcoords[unit].kind)) {
+      if (role == raster::TextureRole::bump) eye_gradient = solid_gradient(state, unit);
+      continue;
+    }
+    if (geometry.tangent.data == nullptr) {
+      throw std::invalid_argument("texture unit " + std::to_string(unit) +
+                                  " changes normals, but the geometry has no tangents");
+    }
+    needs_tangents = true;
+    unit_tangents |= role == raster::TextureRole::normal;
+    has_bitangent = geometry.bitangent.data != nullptr;
   }
 }
 
 /// The journey of the draw's fragments. What changes a normal or weakens a light comes before the light.
 void DrawPlan::plan_stages() {
   std::vector<raster::FragmentStage> before_colors;
+  for (std::size_t unit = 0; unit < texcoords.size(); ++unit) {
+    if (!texcoords[unit].is_on) continue;
+    if (const auto stage = map_stage(*this, static_cast<int>(unit))) before_colors.push_back(*stage);
+  }
   if (origin.at_fragments) before_colors.push_back(light_stage(*this));
   raster::StageInputs inputs;
   inputs.color = origin.makes_vertex_colors() && !origin.flat;

@@ -54,10 +54,13 @@ struct DrawPlan {
   std::optional<Illumination> illumination;  ///< Empty: lighting is off.
   raster::FlatColors constant_color{};       ///< Where has_constant_color().
   bool clamp_colors = true;
-  bool needs_color = false;   ///< The colour array is read.
-  bool needs_normal = false;  ///< Eye normals are made.
-  bool needs_eye = false;     ///< Homogeneous eye positions are made.
-  bool needs_point = false;   ///< Divided eye positions are made.
+  bool needs_color = false;     ///< The colour array is read.
+  bool needs_normal = false;    ///< Eye normals are made.
+  bool needs_eye = false;       ///< Homogeneous eye positions are made.
+  bool needs_point = false;     ///< Divided eye positions are made.
+  bool needs_tangents = false;  ///< Eye tangents are made,
+  bool unit_tangents = false;   ///< of unit length,
+  bool has_bitangent = false;   ///< and the bitangents are given.
   /// Back faces have records (or flat colours) of their own, behind all those of front faces.
   bool has_back_side = false;
   /// Fragments must know which way their polygon faces.
@@ -65,6 +68,9 @@ struct DrawPlan {
 
   VertexTransform transform;
   std::array<TexcoordPlan, raster::kMaxTextureUnits> texcoords;
+  /// What turns the slopes of a solid texture's values along its own three coordinates into a gradient in eye
+  /// space; of the unit with heights.
+  glm::mat3 eye_gradient{1.0f};
   CullRule cull;
   FragmentCounters* counters = nullptr;
 
@@ -75,7 +81,10 @@ struct DrawPlan {
   int stride() const { return raster::record_stride(fragment.varyings.count); }
 
  private:
+  /// Whether the draw's stages have a use for a unit of this role.
+  bool uses(raster::TextureRole role) const;
   void plan_texcoords(const State& state, const Geometry& geometry);
+  void plan_tangents(const State& state, const Geometry& geometry);
   void plan_stages();
 };
 

@@ -68,6 +68,7 @@ void light_phong(const FragmentStage& stage, raster::TileWorkspace& workspace) {
   points.normalize = true;
   points.back = batch.back_facing;
   points.visibility = visibility.all();
+  points.occlusion = arrays<1>(batch, Meaning::occlusion)[0];
   illuminate(*plan.illumination, points, colors_of(batch));
   count(plan, batch, plan.illumination->powers_per_point(side_of(plan, batch)));
 }
@@ -76,8 +77,9 @@ void light_cheap_phong(const FragmentStage& stage, raster::TileWorkspace& worksp
   const DrawPlan& plan = plan_of(stage);
   FragmentBatch& batch = workspace.batch;
   const Columns products(batch, Meaning::dots), visibility(batch, Meaning::visibility);
-  const InterpolatedDots dots{batch.count, batch.back_facing, products.all(),
-                              arrays<4>(batch, Meaning::color), visibility.all()};
+  const InterpolatedDots dots{batch.count,      batch.back_facing,
+                              products.all(),   arrays<4>(batch, Meaning::color),
+                              visibility.all(), arrays<1>(batch, Meaning::occlusion)[0]};
   cheap_phong_colors(*plan.illumination, dots, colors_of(batch));
   count(plan, batch, cheap_phong_fragment_powers(*plan.illumination, side_of(plan, batch)));
 }
@@ -100,6 +102,7 @@ reference::SurfacePoint surface_of(const raster::reference::Fragment& fragment) 
   point.normalize = true;
   point.back = fragment.back_facing;
   point.visibility = values(fragment, Meaning::visibility);
+  point.occlusion = values(fragment, Meaning::occlusion);
   return point;
 }
 
@@ -124,7 +127,8 @@ void light_cheap_phong_fragment(const FragmentStage& stage, raster::reference::F
 
 constinit const raster::StageKind kPhongLight{
     .name = "Phong light",
-    .reads = raster::set_of(Meaning::normal, Meaning::eye_position, Meaning::color, Meaning::visibility),
+    .reads = raster::set_of(Meaning::normal, Meaning::eye_position, Meaning::color, Meaning::visibility,
+                            Meaning::occlusion),
     .writes = raster::set_of(Meaning::color, Meaning::specular),
     .vector = light_phong,
     .scalar = light_phong_fragment,
@@ -133,7 +137,7 @@ constinit const raster::StageKind kPhongLight{
 
 constinit const raster::StageKind kCheapPhongLight{
     .name = "cheap Phong light",
-    .reads = raster::set_of(Meaning::dots, Meaning::color, Meaning::visibility),
+    .reads = raster::set_of(Meaning::dots, Meaning::color, Meaning::visibility, Meaning::occlusion),
     .writes = raster::set_of(Meaning::color, Meaning::specular),
     .vector = light_cheap_phong,
     .scalar = light_cheap_phong_fragment,

@@ -39,8 +39,13 @@ struct Attribute {
 struct Geometry {
   PrimitiveMode mode = PrimitiveMode::triangles;
   std::uint32_t vertex_count = 0;
-  Attribute position;                                        ///< 2 to 4 components, object space.
-  Attribute normal;                                          ///< 3 components, object space.
+  Attribute position;  ///< 2 to 4 components, object space.
+  Attribute normal;    ///< 3 components, object space.
+  /// For normal and bump maps, object space: how the place changes with the two coordinates of the map, in
+  /// the eye's own orientation of them. The bitangent may be left out; then it is w (normal × tangent), w = 1
+  /// where the tangent has 3 components.
+  Attribute tangent;                                         ///< 3 or 4 components.
+  Attribute bitangent;                                       ///< 3 components.
   Attribute color;                                           ///< 3 or 4 components.
   std::array<Attribute, raster::kMaxTextureUnits> texcoord;  ///< 2 to 4 components, per unit.
   /// Values used for every vertex where the array is absent (glNormal, glColor, glTexCoord).

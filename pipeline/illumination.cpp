@@ -183,6 +183,7 @@ Illumination compile_illumination(const Lighting& lighting, const glm::vec4* con
     n = bounded(n);
   }
   add_product(out.base, glm::vec3(1.0f), material.emission, 1.0);
+  out.emission = out.base;
   add_product(out.base, glm::vec3(lighting.ambient), material.ambient, 1.0);
   out.lights.reserve(lighting.lights.size());
   bool shines = false, near = false;

@@ -63,7 +63,8 @@ struct Illumination {
   bool tracks_alpha = false;
   bool two_sided = false;
   bool separate_specular = false;
-  LightProducts base;  ///< Emission, global ambient, and ambient of lights that do not weaken.
+  LightProducts base;      ///< Emission, global ambient, and ambient of lights that do not weaken.
+  LightProducts emission;  ///< Of `base`, what no occlusion weakens.
   std::array<float, 2> alpha{1, 1};
   std::array<float, 2> shininess{0, 0};
   std::vector<IlluminatingLight> lights;
@@ -88,6 +89,7 @@ struct SurfacePoints {
   bool back = false;                       ///< Seen from behind: with two_sided, −N and the back material.
   /// An array a light: the share of its diffuse and specular light that arrives. Empty: all of it.
   std::span<const float* const> visibility{};
+  const float* occlusion = nullptr;  ///< The share of ambient light that arrives. Null: all of it.
 };
 
 /// Where the colours go; not clamped. Arrays as those of SurfacePoints.
@@ -99,7 +101,8 @@ struct LitColors {
 /// Evaluates the model at every point:
 /// C = base + Σ f_i (a_i + (N·L_i)⁺ d_i + [N·L_i > 0] h_i^n s_i), with h = N·H (blinn) or R·V (phong), f the
 /// light's weakening (times its visibility for d and s) and a, d, s its products with the material
-/// (OpenGL 1.3, eq. 2.4; L3, L5).
+/// (OpenGL 1.3, eq. 2.4; L3, L5). Where ambient light is occluded by 1 − o, base·o + emission·(1 − o) stands
+/// for base, and o·a_i for a_i.
 void illuminate(const Illumination& illumination, const SurfacePoints& points, const LitColors& out);
 
 }  // namespace barrido::pipeline

@@ -25,14 +25,15 @@ using BatchArray = float[kVertexBatch];
 
 struct VertexBatch {
   int count = 0;
-  alignas(64) BatchArray object[4];  ///< Object space, homogeneous.
-  alignas(64) BatchArray eye[4];     ///< Eye space, homogeneous.
-  alignas(64) BatchArray point[3];   ///< Eye space, divided by w.
-  alignas(64) BatchArray normal[3];  ///< Eye space.
-  alignas(64) BatchArray color[4];   ///< As given.
-  alignas(64) BatchArray lit[7];     ///< Lit colours of one side: primary, secondary.
-  alignas(64) BatchArray depth;      ///< Window z.
-  alignas(64) BatchArray q;          ///< 1/w; 1 where w is below kMinW.
+  alignas(64) BatchArray object[4];    ///< Object space, homogeneous.
+  alignas(64) BatchArray eye[4];       ///< Eye space, homogeneous.
+  alignas(64) BatchArray point[3];     ///< Eye space, divided by w.
+  alignas(64) BatchArray normal[3];    ///< Eye space.
+  alignas(64) BatchArray tangents[6];  ///< Tangent and bitangent; eye space in the end.
+  alignas(64) BatchArray color[4];     ///< As given.
+  alignas(64) BatchArray lit[7];       ///< Lit colours of one side: primary, secondary.
+  alignas(64) BatchArray depth;        ///< Window z.
+  alignas(64) BatchArray q;            ///< 1/w; 1 where w is below kMinW.
   alignas(64) BatchArray coordinate[raster::kMaxTextureUnits][4];  ///< Texture coordinates.
   alignas(64) BatchArray dots[2 * raster::kMaxLights + 3];         ///< Cheap Phong.
 };
@@ -66,6 +67,11 @@ void transform_to_eye(const VertexTransform& transform, VertexBatch& batch, bool
 
 /// Object-space normals in `normal` to eye-space ones.
 void transform_normals(const VertexTransform& transform, VertexBatch& batch);
+
+/// Tangents from object space to eye space, from `tangents` (the fourth is w where there is no bitangent) and
+/// the normals of object space in `normal`; of unit length where asked for.
+void transform_tangents(const VertexTransform& transform, bool has_bitangent, bool to_unit,
+                        VertexBatch& batch);
 
 /// Bounds an array, and clamps it to [0, 1] when asked to.
 void bound_column(int count, bool clamp01, float* column);

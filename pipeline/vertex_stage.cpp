@@ -89,6 +89,15 @@ void store_surfaces(const DrawPlan& plan, const VertexBatch& batch, SurfaceVerte
   }
 }
 
+void make_tangents(const DrawPlan& plan, const Geometry& geometry, std::uint32_t first, VertexBatch& batch) {
+  fetch_attribute(geometry.tangent, {1, 0, 0, 1}, first, batch.count, plan.has_bitangent ? 3 : 4, true,
+                  batch.tangents);
+  if (plan.has_bitangent) {
+    fetch_attribute(geometry.bitangent, {0, 1, 0, 0}, first, batch.count, 3, true, batch.tangents + 3);
+  }
+  transform_tangents(plan.transform, plan.has_bitangent, plan.unit_tangents, batch);
+}
+
 void fetch_and_transform(const DrawPlan& plan, const Geometry& geometry, std::uint32_t first,
                          VertexBatch& batch, PackedPosition* positions) {
   fetch_attribute(geometry.position, {0, 0, 0, 1}, first, batch.count, 4, false, batch.object);
@@ -97,6 +106,7 @@ void fetch_and_transform(const DrawPlan& plan, const Geometry& geometry, std::ui
   if (plan.needs_normal) {
     fetch_attribute(geometry.normal, glm::vec4(geometry.constant_normal, 0.0f), first, batch.count, 3, true,
                     batch.normal);
+    if (plan.needs_tangents) make_tangents(plan, geometry, first, batch);
     transform_normals(plan.transform, batch);
   }
   if (plan.needs_color) {
@@ -133,6 +143,7 @@ void run_vertex_stage(const DrawPlan& plan, const Geometry& geometry, std::uint3
   Columns columns(varyings);
   make_coordinates(plan, geometry, first, batch, columns);
   columns.place(Meaning::normal, batch.normal);
+  columns.place(Meaning::tangents, batch.tangents);
   columns.place(Meaning::eye_position, batch.point);
   columns.place(Meaning::fog, &batch.point[2]);
   columns.place(Meaning::color, batch.color);

@@ -44,7 +44,21 @@ inline constexpr auto kNames<raster::CombineFunction> =
                                                    {raster::CombineFunction::add, "add"},
                                                    {raster::CombineFunction::add_signed, "add-signed"},
                                                    {raster::CombineFunction::interpolate, "interpolate"},
-                                                   {raster::CombineFunction::subtract, "subtract"}});
+                                                   {raster::CombineFunction::subtract, "subtract"},
+                                                   {raster::CombineFunction::dot3_rgb, "dot3-rgb"},
+                                                   {raster::CombineFunction::dot3_rgba, "dot3-rgba"}});
+
+template <>
+inline constexpr auto kNames<raster::TextureRole> =
+    std::to_array<Named<raster::TextureRole>>({{raster::TextureRole::environment, "environment"},
+                                               {raster::TextureRole::normal, "normal", "normal map"},
+                                               {raster::TextureRole::bump, "bump", "bump map"},
+                                               {raster::TextureRole::occlusion, "occlusion", "occlusion map"},
+                                               {raster::TextureRole::shine, "shine", "specularity map"}});
+
+template <>
+inline constexpr auto kNames<raster::BumpForm> = std::to_array<Named<raster::BumpForm>>(
+    {{raster::BumpForm::invariant, "invariant"}, {raster::BumpForm::blinn, "blinn"}});
 
 template <>
 inline constexpr auto kNames<raster::CombineSource> =

@@ -11,7 +11,8 @@ namespace {
 bool reads_primary(const FragmentState& state) {
   for (const TextureUnit& unit : state.texture_units) {
     const bool is_on = unit.texture != nullptr || unit.procedure != nullptr;
-    if (is_on && unit.env_mode == TextureEnvMode::combine) return true;
+    const bool combines = unit.role == TextureRole::environment && unit.env_mode == TextureEnvMode::combine;
+    if (is_on && combines) return true;
   }
   return false;
 }
@@ -26,21 +27,23 @@ void apply_texture(const FragmentStage& stage, TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
   const int unit = stage.unit;
   const TextureUnit& state = batch.state->texture_units[static_cast<std::size_t>(unit)];
-  if (state.procedure != nullptr) {
-    state.procedure->vector(batch, unit, workspace.texel);
+  const bool is_sampled_in_place =
+      state.env_mode == TextureEnvMode::replace || state.env_mode == TextureEnvMode::modulate;
+  if (state.procedure != nullptr || !is_sampled_in_place) {
+    sample_unit(workspace, unit);
     return combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
+  // The two commonest environments are applied as the texels are sampled.
   find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
   std::uint64_t& texels = workspace.statistics.texel_fetches;
-  // The two commonest environments are applied as the texels are sampled.
-  if (state.env_mode == TextureEnvMode::replace) {
-    texels += sample_texture(batch, unit, workspace.levels, batch.color);
-  } else if (state.env_mode == TextureEnvMode::modulate) {
-    texels += modulate_by_texture(batch, unit, workspace.levels);
-  } else {
-    texels += sample_texture(batch, unit, workspace.levels, workspace.texel);
-    combine_texture(batch, unit, workspace.texel, workspace.primary);
-  }
+  texels += state.env_mode == TextureEnvMode::replace
+                ? sample_texture(batch, unit, workspace.levels, batch.color)
+                : modulate_by_texture(batch, unit, workspace.levels);
+}
+
+void apply_shine(const FragmentStage& stage, TileWorkspace& workspace) {
+  sample_unit(workspace, stage.unit);
+  multiply_secondary(workspace.batch, workspace.texel);
 }
 
 }  // namespace
@@ -61,6 +64,13 @@ constinit const StageKind kApplyTexture{
     .scalar = reference::apply_texture,
     .story = "makes a texel of the unit's coordinates and combines it with the colour so far",
     .clamps = true};
+constinit const StageKind kApplyShine{.name = "specularity map",
+                                      .reads = set_of(Meaning::specular, Meaning::texcoord),
+                                      .writes = set_of(Meaning::specular),
+                                      .vector = apply_shine,
+                                      .scalar = reference::apply_shine,
+                                      .story = "multiplies the highlights by the texel",
+                                      .clamps = true};
 constinit const StageKind kAddSecondary{
     .name = "colour sum",
     .reads = set_of(Meaning::color, Meaning::specular),
@@ -87,12 +97,22 @@ std::vector<FragmentStage> make_stages(const FragmentState& state, std::span<con
        .reads = {{{Meaning::color, inputs.color ? 4 : 0}, {Meaning::specular, inputs.specular ? 3 : 0}}}});
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     const int floats = inputs.coordinates[static_cast<std::size_t>(unit)];
-    if (floats == 0) continue;
-    stages.push_back({.kind = &kApplyTexture, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});
+    const TextureRole role = state.texture_units[static_cast<std::size_t>(unit)].role;
+    if (floats == 0 || (role != TextureRole::environment && role != TextureRole::shine)) continue;
+    const StageKind* kind = role == TextureRole::environment ? &kApplyTexture : &kApplyShine;
+    stages.push_back({.kind = kind, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});
   }
   if (state.separate_specular) stages.push_back({.kind = &kAddSecondary});
   if (state.fog.enabled) stages.push_back({.kind = &kApplyFog, .reads = {{{Meaning::fog, 1}}}});
   return stages;
+}
+
+void sample_unit(TileWorkspace& workspace, int unit) {
+  const FragmentBatch& batch = workspace.batch;
+  const TextureUnit& state = batch.state->texture_units[static_cast<std::size_t>(unit)];
+  if (state.procedure != nullptr) return state.procedure->vector(batch, unit, workspace.texel);
+  find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
+  workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.levels, workspace.texel);
 }
 
 void shade_batch(TileWorkspace& workspace) {

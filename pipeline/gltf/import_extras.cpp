@@ -51,6 +51,25 @@ void read_material(const json& from, ExactMaterial& exact) {
   read(from, "shininess", exact.shininess);
 }
 
+/// A texture that the extras name.
+TextureUse texture_of(Import& import, const json& from) {
+  return texture_use(import, from["index"].get<int>(), from.value("texCoord", 0), {});
+}
+
+void read_maps(Import& import, const json& from, Material& material) {
+  if (const auto bump = from.find("bump"); bump != from.end()) {
+    material.bump.texture = texture_of(import, *bump);
+    material.bump.height = to_float(bump->value("height", double{material.bump.height}));
+    const std::string form = bump->value("form", std::string(name_of(material.bump.form)));
+    material.bump.form = value_named<raster::BumpForm>(form).value_or(material.bump.form);
+  }
+  const auto read_map = [&](const char* name, TextureUse& to) {
+    if (const auto map = from.find(name); map != from.end()) to = texture_of(import, *map);
+  };
+  read_map("transparencyTexture", material.transparency_texture);
+  read_map("specularityTexture", material.specularity_texture);
+}
+
 void read_light(const Report& report, const json& from, const std::string& place, Light& light) {
   read(from, "intensity", light.exact_intensity);
   read(from, "attenuation", light.attenuation);
@@ -89,17 +108,21 @@ void for_each_barrido(const json& array, Visit visit) {
 
 }  // namespace
 
+void import_material_extras(Import& import) {
+  const json& document = import.document.tree();
+  static const json::json_pointer kMaterials("/materials");
+  if (!document.contains(kMaterials)) return;
+  for_each_barrido(document[kMaterials], [&](const json& barrido, std::size_t i) {
+    read_material(barrido, import.scene.materials[i].exact);
+    read_maps(import, barrido, import.scene.materials[i]);
+  });
+}
+
 void import_extras(Import& import) {
   const json& document = import.document.tree();
   Scene& scene = import.scene;
-  static const json::json_pointer kMaterials("/materials");
   static const json::json_pointer kScenes("/scenes");
   static const json::json_pointer kLights("/extensions/KHR_lights_punctual/lights");
-  if (document.contains(kMaterials)) {
-    for_each_barrido(document[kMaterials], [&](const json& barrido, std::size_t i) {
-      read_material(barrido, scene.materials[i].exact);
-    });
-  }
   if (document.contains(kScenes)) {
     for_each_barrido(document[kScenes], [&](const json& barrido, std::size_t i) {
       read_scene(barrido, scene.scenes[i].settings);

@@ -31,7 +31,7 @@ constexpr KnownExtension kSupportedExtensions[] = {
     {"KHR_materials_pbrSpecularGlossiness", Support::approximated,
      "as k_d, k_s and n; pictures of k_s by their mean"},
     {"KHR_materials_sheen", Support::approximated, "as a colour added to k_d"},
-    {"KHR_materials_specular", Support::approximated, "as k_s; pictures by their mean"},
+    {"KHR_materials_specular", Support::approximated, "as k_s; of metals, pictures by their mean"},
     {"KHR_materials_transmission", Support::approximated, "as blending by its colour, without blur"},
     {"KHR_materials_unlit", Support::exact, "lighting is switched off"},
     {"KHR_materials_variants", Support::exact, "--variant NAME chooses"},
@@ -136,9 +136,9 @@ void list_materials(Import& import) {
   add(any_material(scene, [](const Material& m) { return m.emissive_texture.texture != kNone; }),
       "material: emissive texture", Support::exact);
   add(any_material(scene, [](const Material& m) { return m.occlusion_texture.texture != kNone; }),
-      "material: occlusion texture", Support::ignored, "fixed function has no ambient light per texel");
+      "material: occlusion texture", Support::exact, "a factor of ambient light, in Phong shading");
   add(any_material(scene, [](const Material& m) { return m.normal_texture.texture != kNone; }),
-      "material: normal texture", Support::ignored, "normals are those of the vertices");
+      "material: normal texture", Support::exact, "in Phong shading");
   add(any_material(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::mask; }),
       "material: alpha mask", Support::exact, "as the alpha test");
   add(any_material(scene, [](const Material& m) { return m.alpha_mode == AlphaMode::blend; }),

@@ -30,10 +30,12 @@ void mark(const Scene& scene, const TextureUse& use, std::uint64_t bytes, std::v
 void mark_layers(const Scene& scene, const MaterialLayers& layers, std::vector<std::uint64_t>& used) {
   if (layers.specular_glossiness) mark(scene, layers.specular_glossiness->texture, kDecodedBytes, used);
   for (const TextureUse* use :
-       {&layers.specular_texture, &layers.specular_color_texture, &layers.sheen_color_texture,
-        &layers.clearcoat_texture, &layers.clearcoat_roughness_texture, &layers.iridescence_texture,
-        &layers.thickness_texture}) {
+       {&layers.sheen_color_texture, &layers.clearcoat_texture, &layers.clearcoat_roughness_texture,
+        &layers.iridescence_texture, &layers.thickness_texture}) {
     mark(scene, *use, kDecodedBytes, used);
+  }
+  for (const TextureUse* use : {&layers.specular_texture, &layers.specular_color_texture}) {
+    mark(scene, *use, kTextureBytes, used);
   }
   // Filtered by it and by what it leaves.
   mark(scene, layers.transmission_texture, 2 * kTextureBytes, used);
@@ -41,7 +43,8 @@ void mark_layers(const Scene& scene, const MaterialLayers& layers, std::vector<s
 
 /// Images in no other role are looked at by those who want to know what is in the file; nothing is drawn with
 /// them, so that nothing is wrong where they are missing.
-constexpr unsigned kDrawnRoles = kBaseColorImage | kMetallicRoughnessImage | kEmissiveImage | kLayerImage;
+constexpr unsigned kDrawnRoles =
+    kBaseColorImage | kMetallicRoughnessImage | kNormalImage | kOcclusionImage | kEmissiveImage | kLayerImage;
 
 /// What a pixel of each image will take; 0 for those in none of these roles.
 std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, unsigned roles) {
@@ -51,9 +54,15 @@ std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, 
     if (roles & kMetallicRoughnessImage) {
       mark(import.scene, material.metallic_roughness_texture, kDecodedBytes, used);
     }
-    if (roles & kNormalImage) mark(import.scene, material.normal_texture, kDecodedBytes, used);
-    if (roles & kOcclusionImage) mark(import.scene, material.occlusion_texture, kDecodedBytes, used);
+    if (roles & kNormalImage) mark(import.scene, material.normal_texture, kTextureBytes, used);
+    if (roles & kOcclusionImage) mark(import.scene, material.occlusion_texture, kTextureBytes, used);
     if ((roles & kLayerImage) && material.layers) mark_layers(import.scene, *material.layers, used);
+    if (roles & kLayerImage) {
+      for (const TextureUse* use :
+           {&material.bump.texture, &material.transparency_texture, &material.specularity_texture}) {
+        mark(import.scene, *use, kTextureBytes, used);
+      }
+    }
     if (roles & kEmissiveImage) mark(import.scene, material.emissive_texture, kTextureBytes, used);
   }
   return used;

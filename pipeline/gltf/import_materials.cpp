@@ -149,7 +149,9 @@ Material material_of(Import& import, const tinygltf::Material& source, const std
   material.base_color_texture = texture_use(import, pbr.baseColorTexture);
   material.metallic_roughness_texture = texture_use(import, pbr.metallicRoughnessTexture);
   material.normal_texture = texture_use(import, source.normalTexture);
+  material.normal_scale = to_float(source.normalTexture.scale);
   material.occlusion_texture = texture_use(import, source.occlusionTexture);
+  material.occlusion_strength = unit_range(source.occlusionTexture.strength);
   material.emissive_texture = texture_use(import, source.emissiveTexture);
   material.alpha_mode = alpha_mode_of(import, source.alphaMode);
   material.alpha_cutoff = std::max(to_float(source.alphaCutoff), 0.0f);
@@ -192,6 +194,7 @@ void import_materials(Import& import) {
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     import.scene.materials.push_back(material_of(import, model.materials[i], element("materials", i)));
   }
+  import_material_extras(import);
 }
 
 }  // namespace barrido::scene::gltf

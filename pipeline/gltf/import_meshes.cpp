@@ -201,6 +201,9 @@ class MeshImporter {
           attribute(source.targets[i], target_place, "NORMAL", {3}, kFloat | kNormalizedSigned, primitive);
       if (positions != kMissing) target.positions = reader_.floats(positions);
       if (normals != kMissing) target.normals = reader_.floats(normals);
+      const int tangents =
+          attribute(source.targets[i], target_place, "TANGENT", {3}, kFloat | kNormalizedSigned, primitive);
+      if (tangents != kMissing) target.tangents = reader_.floats(tangents);
       read_target_colors(source.targets[i], target_place, primitive, target);
       primitive.morph_targets.push_back(std::move(target));
     }

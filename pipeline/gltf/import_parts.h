@@ -67,7 +67,9 @@ void import_nodes(Import& import);
 /// Skins, and that every joint a mesh names is one of its skin.
 void import_skins(Import& import);
 void import_animations(Import& import);
-/// extras.barrido of materials, lights and scenes.
+/// extras.barrido of materials; their pictures are yet to be read.
+void import_material_extras(Import& import);
+/// extras.barrido of lights and scenes.
 void import_extras(Import& import);
 /// Scene::features, from what the other steps have found.
 void list_features(Import& import);

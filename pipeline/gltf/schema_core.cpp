@@ -24,10 +24,18 @@ constexpr Property color(std::string_view name) {
 // extras.barrido
 
 constexpr Range kFromZero{.min = 0};
+constexpr Property kMapProperties[] = {fatal(required(index("index", Collection::textures))),
+                                       fatal(integer("texCoord", 0))};
+constexpr Schema kMap{.properties = kMapProperties, .closed = true};
+constexpr Property kBumpProperties[] = {fatal(required(index("index", Collection::textures))),
+                                        fatal(integer("texCoord", 0)), fatal(number("height", -1e6, 1e6)),
+                                        fatal(text("form", "invariant|blinn"))};
+constexpr Schema kBump{.properties = kBumpProperties, .closed = true};
 constexpr Property kBarridoMaterialProperties[] = {
-    fatal(numbers("ambient", 3, kFromZero)), fatal(numbers("diffuse", 3, kFromZero)),
-    fatal(numbers("specular", 3, kFromZero)), fatal(numbers("emission", 3, kFromZero)),
-    fatal(number("shininess", 0, 1e6))};
+    fatal(numbers("ambient", 3, kFromZero)),    fatal(numbers("diffuse", 3, kFromZero)),
+    fatal(numbers("specular", 3, kFromZero)),   fatal(numbers("emission", 3, kFromZero)),
+    fatal(number("shininess", 0, 1e6)),         fatal(object("bump", kBump)),
+    fatal(object("transparencyTexture", kMap)), fatal(object("specularityTexture", kMap))};
 constexpr Schema kBarridoMaterial{.properties = kBarridoMaterialProperties, .closed = true};
 constexpr Property kFogProperties[] = {fatal(required(text("mode", "linear|exp|exp2"))),
                                        fatal(number("density", 0)), fatal(number("start", 0)),

@@ -155,6 +155,9 @@ std::string environment_words(const raster::TextureUnit& state) {
       return a + " + " + b + " - 0.5";
     case raster::CombineFunction::subtract:
       return a + " - " + b;
+    case raster::CombineFunction::dot3_rgb:
+    case raster::CombineFunction::dot3_rgba:
+      return "4 (" + a + " - 0.5)·(" + b + " - 0.5), of R, G and B together";
     case raster::CombineFunction::interpolate:
       break;
   }

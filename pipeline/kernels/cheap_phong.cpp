@@ -78,8 +78,12 @@ void colors_from_dots(const Illumination& illumination, const InterpolatedDots& 
   const std::size_t ambient_column = 2 * illumination.lights.size();
   for (int i = 0; i < dots.count; i += kLanes) {
     Sums sums = start_sums<kTracked>(illumination, dots.color, side, i);
+    const bool occluded = dots.occlusion != nullptr;
+    const V share = occluded ? hn::Load(d, dots.occlusion + i) : broadcast(1.0f);
+    if (occluded) occlude<kTracked>(illumination, side, share, sums);
     for (std::size_t c = 0; dots.columns.size() > ambient_column && c < 3; ++c) {
-      sums.primary[c] = hn::Add(sums.primary[c], hn::Load(d, dots.columns[ambient_column + c] + i));
+      const V ambient = hn::Load(d, dots.columns[ambient_column + c] + i);
+      sums.primary[c] = hn::Add(sums.primary[c], occluded ? hn::Mul(ambient, share) : ambient);
     }
     for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
       const V n_dot_l = hn::Load(d, dots.columns[2 * l] + i);

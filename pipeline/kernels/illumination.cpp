@@ -16,13 +16,15 @@ namespace barrido::pipeline::HWY_NAMESPACE {
 /// kDimmed: `visibility` says how much of the light arrives.
 template <bool kTracked, bool kDimmed>
 HWY_INLINE void add_light(const Illumination& illumination, const IlluminatingLight& light,
-                          const Surface& surface, std::size_t side, const float* visibility, Sums& sums) {
+                          const Surface& surface, std::size_t side, const float* visibility,
+                          const float* occlusion, Sums& sums) {
   const bool shines = light.shines[side];
   const Incidence at = incidence(illumination, light, surface, shines);
   V diffuse = positive(at.n_dot_l);
   if (light.weakens) {
     diffuse = hn::Mul(diffuse, at.factor);
-    add_terms<kTracked>(sums, sums.primary, light.ambient, side, at.factor);
+    const V ambient = occlusion != nullptr ? hn::Mul(at.factor, hn::Load(F(), occlusion)) : at.factor;
+    add_terms<kTracked>(sums, sums.primary, light.ambient, side, ambient);
   }
   if constexpr (kDimmed) diffuse = hn::Mul(diffuse, hn::Load(F(), visibility));
   add_terms<kTracked>(sums, sums.primary, light.diffuse, side, diffuse);
@@ -39,9 +41,12 @@ void illuminate_points(const Illumination& illumination, const SurfacePoints& po
   for (int i = 0; i < points.count; i += kLanes) {
     const Surface surface = load_surface(illumination, points, i);
     Sums sums = start_sums<kTracked>(illumination, points.color, side, i);
+    const float* occlusion = points.occlusion != nullptr ? points.occlusion + i : nullptr;
+    if (occlusion != nullptr) occlude<kTracked>(illumination, side, hn::Load(F(), occlusion), sums);
     for (std::size_t l = 0; l < illumination.lights.size(); ++l) {
       const float* visibility = kDimmed ? points.visibility[l] + i : nullptr;
-      add_light<kTracked, kDimmed>(illumination, illumination.lights[l], surface, side, visibility, sums);
+      add_light<kTracked, kDimmed>(illumination, illumination.lights[l], surface, side, visibility, occlusion,
+                                   sums);
     }
     store_sums(illumination, sums, points.color, side, i, out);
   }

@@ -50,6 +50,16 @@ HWY_INLINE Sums start_sums(const Illumination& illumination, const std::array<co
   return sums;
 }
 
+/// Leaves `share` of the ambient light in sums that have just been started.
+template <bool kTracked>
+HWY_INLINE void occlude(const Illumination& illumination, std::size_t side, V share, Sums& sums) {
+  const V rest = hn::Sub(broadcast(1.0f), share);
+  for (int c = 0; c < 3; ++c) {
+    const V emission = coefficient<kTracked>(illumination.emission, side, c, sums.color[c]);
+    sums.primary[c] = hn::Add(hn::Mul(sums.primary[c], share), hn::Mul(emission, rest));
+  }
+}
+
 HWY_INLINE void store_sums(const Illumination& illumination, const Sums& sums,
                            const std::array<const float*, 4>& color, std::size_t side, int i,
                            const LitColors& out) {

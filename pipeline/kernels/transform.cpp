@@ -201,6 +201,39 @@ void TransformNormals(const VertexTransform& transform, VertexBatch& batch) {
   }
 }
 
+HWY_INLINE Vec3 load_columns(const BatchArray* from, int i) {
+  const F d;
+  return {hn::Load(d, from[0] + i), hn::Load(d, from[1] + i), hn::Load(d, from[2] + i)};
+}
+
+void TransformTangents(const VertexTransform& transform, bool has_bitangent, bool to_unit,
+                       VertexBatch& batch) {
+  const F d;
+  const glm::mat4& m = transform.eye_from_object;
+  const Vec3 columns[3] = {broadcast(glm::vec3(m[0])), broadcast(glm::vec3(m[1])),
+                           broadcast(glm::vec3(m[2]))};
+  const auto store = [&](const Vec3& v, BatchArray* to, int i) HWY_ATTR {
+    Vec3 eye = plus(plus(times(columns[0], v.x), times(columns[1], v.y)), times(columns[2], v.z));
+    eye = {clamp_to_bound(eye.x), clamp_to_bound(eye.y), clamp_to_bound(eye.z)};
+    if (to_unit) eye = normalized(eye);
+    hn::Store(eye.x, d, to[0] + i);
+    hn::Store(eye.y, d, to[1] + i);
+    hn::Store(eye.z, d, to[2] + i);
+  };
+  for (int i = 0; i < batch.count; i += kLanes) {
+    const Vec3 tangent = load_columns(batch.tangents, i);
+    Vec3 bitangent = load_columns(batch.tangents + 3, i);
+    if (!has_bitangent) {
+      const Vec3 n = load_columns(batch.normal, i);
+      const V w = hn::Load(d, batch.tangents[3] + i);
+      bitangent = times(cross(n, tangent), w);
+      bitangent = {clamp_to_bound(bitangent.x), clamp_to_bound(bitangent.y), clamp_to_bound(bitangent.z)};
+    }
+    store(tangent, batch.tangents, i);
+    store(bitangent, batch.tangents + 3, i);
+  }
+}
+
 void BoundColumn(int count, bool to_unit, float* column) {
   const F d;
   for (int i = 0; i < count; i += kLanes) {
@@ -219,6 +252,7 @@ HWY_EXPORT(FetchAttribute);
 HWY_EXPORT(ProjectPositions);
 HWY_EXPORT(TransformToEye);
 HWY_EXPORT(TransformNormals);
+HWY_EXPORT(TransformTangents);
 HWY_EXPORT(BoundColumn);
 
 void fetch_attribute(const Attribute& attribute, const glm::vec4& constant, std::uint32_t first, int count,
@@ -236,6 +270,11 @@ void transform_to_eye(const VertexTransform& transform, VertexBatch& batch, bool
 
 void transform_normals(const VertexTransform& transform, VertexBatch& batch) {
   HWY_DYNAMIC_DISPATCH(TransformNormals)(transform, batch);
+}
+
+void transform_tangents(const VertexTransform& transform, bool has_bitangent, bool to_unit,
+                        VertexBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(TransformTangents)(transform, has_bitangent, to_unit, batch);
 }
 
 void bound_column(int count, bool clamp01, float* column) {

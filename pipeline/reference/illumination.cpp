@@ -111,6 +111,11 @@ class Sum {
   Sum(const Illumination& illumination, const SurfacePoint& point)
       : illumination_(illumination), side_(side_of(illumination, point.back)), color_(point.color) {
     for (int c = 0; c < 3; ++c) primary[c] = coefficient(illumination.base, c);
+    if (point.occlusion.empty()) return;
+    const float share = point.occlusion[0];
+    for (int c = 0; c < 3; ++c) {
+      primary[c] = primary[c] * share + coefficient(illumination.emission, c) * (1.0f - share);
+    }
   }
 
   void add(glm::vec3& into, const LightProducts& products, float weight) const {
@@ -141,6 +146,11 @@ class Sum {
   glm::vec4 color_;
 };
 
+/// A light's ambient part, `weight` of it, where some is occluded.
+float occluded(const SurfacePoint& point, float weight) {
+  return point.occlusion.empty() ? weight : weight * point.occlusion[0];
+}
+
 float visible(const SurfacePoint& point, std::size_t light) {
   return point.visibility.empty() ? 1.0f : point.visibility[light];
 }
@@ -157,7 +167,7 @@ LitColor illuminate(const Illumination& illumination, const SurfacePoint& point)
     float diffuse = positive(at.n_dot_l);
     if (light.weakens) {
       diffuse = diffuse * at.factor;
-      sum.add(sum.primary, light.ambient, at.factor);
+      sum.add(sum.primary, light.ambient, occluded(point, at.factor));
     }
     sum.add(sum.primary, light.diffuse, diffuse * visible(point, i));
     if (!light.shines[side]) continue;
@@ -201,7 +211,7 @@ LitColor cheap_phong_color(const Illumination& illumination, std::span<const flo
   const std::size_t lights = illumination.lights.size();
   for (std::size_t c = 2 * lights; c < dots.size(); ++c) {
     float& primary = sum.primary[static_cast<int>(c - 2 * lights)];
-    primary = primary + dots[c];
+    primary = primary + occluded(point, dots[c]);
   }
   for (std::size_t i = 0; i < lights; ++i) {
     const float n_dot_l = dots[2 * i];

@@ -21,6 +21,7 @@ struct SurfacePoint {
   bool normalize = false;
   bool back = false;
   std::span<const float> visibility{};  ///< One a light, or none.
+  std::span<const float> occlusion{};   ///< One number, or none.
 };
 
 /// Not clamped. `secondary` is 0 unless Illumination::separate_specular.

@@ -149,6 +149,29 @@ glm::vec3 eye_normal(const VertexTransform& t, const glm::vec3& n) {
   return t.normalize ? eye * inverse_length(eye) : eye;
 }
 
+EyeTangents eye_tangents(const VertexTransform& t, const TangentVertex& v, bool has_bitangent, bool to_unit) {
+  const auto bounded3 = [](const glm::vec3& a) {
+    return glm::vec3(clamp_to_bound(a.x), clamp_to_bound(a.y), clamp_to_bound(a.z));
+  };
+  const auto eye_of = [&](const glm::vec3& a) {
+    const glm::mat4& m = t.eye_from_object;
+    glm::vec3 eye;
+    for (int axis = 0; axis < 3; ++axis) {
+      eye[axis] = (m[0][axis] * a.x + m[1][axis] * a.y) + m[2][axis] * a.z;
+    }
+    eye = bounded3(eye);
+    return to_unit ? eye * inverse_length(eye) : eye;
+  };
+  const glm::vec3 tangent(v.tangent), &n = v.normal;
+  glm::vec3 bitangent = v.bitangent;
+  if (!has_bitangent) {
+    const glm::vec3 product(n.y * tangent.z - n.z * tangent.y, n.z * tangent.x - n.x * tangent.z,
+                            n.x * tangent.y - n.y * tangent.x);
+    bitangent = bounded3(product * v.tangent.w);
+  }
+  return {eye_of(tangent), eye_of(bitangent)};
+}
+
 glm::vec4 generate_coordinates(const TextureCoordinates& rules, const TexgenVertex& vertex,
                                glm::vec4 coordinate) {
   for (int axis = 0; axis < 4; ++axis) {

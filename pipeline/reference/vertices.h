@@ -31,6 +31,18 @@ EyeVertex to_eye(const VertexTransform& transform, const glm::vec4& object);
 /// See transform_normals().
 glm::vec3 eye_normal(const VertexTransform& transform, const glm::vec3& normal);
 
+/// A vertex's tangents in object space; the tangent's w counts where there is no bitangent.
+struct TangentVertex {
+  glm::vec4 tangent{1, 0, 0, 1};
+  glm::vec3 bitangent{0}, normal{0};
+};
+struct EyeTangents {
+  glm::vec3 tangent{0}, bitangent{0};
+};
+/// See transform_tangents().
+EyeTangents eye_tangents(const VertexTransform& transform, const TangentVertex& vertex, bool has_bitangent,
+                         bool to_unit);
+
 /// What texture generation reads of a vertex.
 struct TexgenVertex {
   glm::vec4 object{0}, eye{0};

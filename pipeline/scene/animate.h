@@ -29,6 +29,7 @@ Pose pose_at(const Scene& scene, int animation, double time_s);
 struct DeformedVertices {
   std::vector<float> positions;  ///< 3 floats a vertex
   std::vector<float> normals;    ///< 3 floats a vertex, unit length; empty when the primitive has none
+  std::vector<float> tangents;   ///< 4 floats a vertex; empty when the primitive has none
   std::array<std::vector<float>, 2> texcoords;  ///< 2 floats a vertex; empty where no target moves them
   std::vector<float> colors;                    ///< 4 floats a vertex; empty where no target changes them
   /// Vertices whose joints turn left into right, so that the triangle they belong to is wound the other way;

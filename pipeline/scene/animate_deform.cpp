@@ -37,12 +37,19 @@ void add_target(const FloatArray& target, float weight, const FloatArray& base, 
   add_target(target, weight, values);
 }
 
+/// Tangents have a fourth number, which stays.
+void add_tangents(const FloatArray& target, float weight, std::vector<float>& tangents) {
+  if (weight == 0.0f || target.size() / 3 != tangents.size() / 4) return;
+  for (std::size_t i = 0; i < target.size(); ++i) tangents[i / 3 * 4 + i % 3] += weight * target.data()[i];
+}
+
 void morph(const Primitive& primitive, const std::vector<float>& weights, DeformedVertices& vertices) {
   const std::size_t count = std::min(weights.size(), primitive.morph_targets.size());
   for (std::size_t i = 0; i < count; ++i) {
     const MorphTarget& target = primitive.morph_targets[i];
     add_target(target.positions, weights[i], vertices.positions);
     add_target(target.normals, weights[i], vertices.normals);
+    if (!target.tangents.empty()) add_tangents(target.tangents, weights[i], vertices.tangents);
     add_target(target.colors, weights[i], primitive.colors, vertices.colors);
     for (std::size_t set = 0; set < target.texcoords.size(); ++set) {
       add_target(target.texcoords[set], weights[i], primitive.texcoords[set], vertices.texcoords[set]);
@@ -77,6 +84,14 @@ glm::vec3 carry_normal(const glm::mat4& matrix, const glm::vec3& normal) {
   return (yz * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z) * sign;
 }
 
+/// Directions in the surface go with its places. Where the matrix mirrors, so do normal × tangent, and w says
+/// so.
+void carry_tangent(const glm::mat4& matrix, float* tangent) {
+  const glm::vec3 carried = glm::mat3(matrix) * glm::vec3(tangent[0], tangent[1], tangent[2]);
+  for (int axis = 0; axis < 3; ++axis) tangent[axis] = carried[axis];
+  if (glm::determinant(glm::mat3(matrix)) < 0.0f) tangent[3] = -tangent[3];
+}
+
 bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::mat3(matrix)) < 0.0f; }
 
 glm::vec3 load(const std::vector<float>& values, std::size_t vertex) {
@@ -103,6 +118,7 @@ void apply_skin(const Primitive& primitive, const std::vector<glm::mat4>& joints
       if (!vertices.normals.empty()) {
         store(carry_normal(matrix, load(vertices.normals, i)), vertices.normals, i);
       }
+      if (!vertices.tangents.empty()) carry_tangent(matrix, vertices.tangents.data() + 4 * i);
     }
   });
   if (std::find(mirrored.begin(), mirrored.end(), 1) == mirrored.end()) return;
@@ -138,6 +154,7 @@ DeformedVertices deform(const Scene& scene, const Pose& pose, int node, const Pr
   DeformedVertices vertices;
   vertices.positions.assign(primitive.positions.values().begin(), primitive.positions.values().end());
   vertices.normals.assign(primitive.normals.values().begin(), primitive.normals.values().end());
+  vertices.tangents.assign(primitive.tangents.values().begin(), primitive.tangents.values().end());
   morph(primitive, pose.morph_weights[static_cast<std::size_t>(node)], vertices);
   if (has_skin(scene, node, primitive)) {
     const int skin = scene.nodes[static_cast<std::size_t>(node)].skin;

@@ -25,6 +25,13 @@ pipeline::Geometry geometry_for(PreparedGeometry& prepared, const SurfaceState& 
   return geometry;
 }
 
+/// Without what the geometry has no tangents for.
+void drop_normal_map(SurfaceState& surface) {
+  if (surface.normal_unit == kNone) return;
+  surface.units[static_cast<std::size_t>(surface.normal_unit)] = {};
+  surface.normal_unit = kNone;
+}
+
 /// How much larger the draw is in the world, where its material asks for it.
 float scale_of(const Scene& scene, const Draw& draw) {
   if (draw.material == kNone || !scene.materials[static_cast<std::size_t>(draw.material)].layers) return 1.0f;
@@ -55,7 +62,8 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
       draw.material = variant != primitive.variant_materials.end() ? variant->second : primitive.material;
       draw.world_from_object = pose.world_from_node[static_cast<std::size_t>(node)];
       PreparedGeometry* prepared = nullptr;
-      if (is_deformed(scene, node, primitive)) {
+      const bool deformed = is_deformed(scene, node, primitive);
+      if (deformed) {
         list.deformed.push_back(
             prepare_deformed(primitive, deform(scene, pose, node, primitive), crease_angle_deg));
         prepared = list.deformed.back().get();
@@ -69,7 +77,22 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
                            prepared->colors.data != nullptr, scale_of(scene, draw)};
       for (SurfaceState& surface : make_surfaces(scene, use, options, textures)) {
         draw.surface = std::move(surface);
-        draw.geometry = geometry_for(*prepared, draw.surface);
+        PreparedGeometry* drawn = prepared;
+        if (draw.surface.normal_unit != kNone && !has_tangents(*prepared, draw.surface.tangents)) {
+          const TangentUse& tangents = draw.surface.tangents;
+          if (deformed) {
+            auto own = prepare_tangents(*prepared, tangents);
+            drawn = own.get();
+            if (own) list.deformed.push_back(std::move(own));
+          } else {
+            drawn = geometry.get(mesh, static_cast<int>(i), crease_angle_deg, tangents);
+          }
+          if (drawn == nullptr) {
+            drop_normal_map(draw.surface);
+            drawn = prepared;
+          }
+        }
+        draw.geometry = geometry_for(*drawn, draw.surface);
         list.draws.push_back(draw);
       }
     }

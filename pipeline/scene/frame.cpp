@@ -1,5 +1,7 @@
 #include "pipeline/scene/frame.h"
 
+#include <algorithm>
+
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -99,9 +101,31 @@ SurfaceOptions surface_options(const RenderSettings& settings) {
   options.reflections = settings.environment ? Reflections::all : Reflections::metals;
   options.specular_model = settings.lighting;
   options.material = settings.material;
+  options.maps = settings.maps;
+  const pipeline::ColorOrigin& lit = pipeline::shading_mode(settings.shading).lit;
+  options.fragment_light = lit.at_fragments;
+  options.fragment_normals = lit.at_fragments && !lit.at_vertices;
   // OpenGL's limits where OpenGL's results are asked for.
   if (!uses_float_frame(settings)) options.limits = {128.0f, true};
   return options;
+}
+
+/// One warning a frame of maps that the shading mode cannot draw.
+void warn_of_dropped_maps(const SceneFrame& frame, const RenderSettings& settings,
+                          std::vector<std::string>& warnings) {
+  const auto any = [&](bool SurfaceState::*drops) {
+    return std::any_of(frame.list.draws.begin(), frame.list.draws.end(),
+                       [&](const Draw& draw) { return draw.surface.*drops; });
+  };
+  const std::string mode(pipeline::shading_mode(settings.shading).words);
+  if (any(&SurfaceState::drops_normals)) {
+    warnings.push_back("normal and bump maps are not drawn: " + mode +
+                       " shading has no normal at a fragment; --shading phong has");
+  }
+  if (any(&SurfaceState::drops_occlusion)) {
+    warnings.push_back("occlusion maps are not drawn: " + mode +
+                       " shading adds up ambient light at vertices; --shading phong does at fragments");
+  }
 }
 
 }  // namespace
@@ -148,6 +172,7 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
   options.variant = resolve_variant(scene, settings.variant);
   frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg, options,
                              caches.geometry, caches.textures);
+  warn_of_dropped_maps(frame, settings, warnings);
   choose_surroundings(frame, own, settings, caches);
   return frame;
 }

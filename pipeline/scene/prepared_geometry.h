@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -18,6 +19,14 @@
 #include "pipeline/scene/scene.h"
 
 namespace barrido::scene {
+
+/// What a draw's tangents are made for.
+struct TangentUse {
+  int texcoord_set = 0;
+  glm::mat3 transform{1.0f};  ///< Of the coordinates, (u, v, 1)
+  /// P_u and P_v for bump maps; else unit vectors, those of the file where it has them.
+  bool with_lengths = false;
+};
 
 /// One primitive's arrays. `geometry` and `texcoord_sets` point into the primitive or into the arrays below.
 struct PreparedGeometry {
@@ -31,7 +40,7 @@ struct PreparedGeometry {
   glm::vec3 center{0, 0, 0};   ///< Middle of the bounding box, in the positions' space
 
   DeformedVertices deformed;
-  std::vector<float> positions, normals;
+  std::vector<float> positions, normals, tangents, bitangents;
   std::array<std::vector<float>, 2> texcoords;
   std::vector<float> own_colors;
   std::vector<std::uint32_t> indices;
@@ -47,6 +56,13 @@ std::unique_ptr<PreparedGeometry> prepare(const Primitive& primitive, std::optio
 std::unique_ptr<PreparedGeometry> prepare_deformed(const Primitive& primitive, DeformedVertices deformed,
                                                    std::optional<float> crease_angle_deg);
 
+/// The prepared primitive with tangents of its own; null where it has no surface, no normals or no such
+/// coordinates. Where a vertex needs two tangents it becomes two.
+std::unique_ptr<PreparedGeometry> prepare_tangents(const PreparedGeometry& prepared, const TangentUse& use);
+
+/// Whether what the file gives is what the use asks for.
+bool has_tangents(const PreparedGeometry& prepared, const TangentUse& use);
+
 /// The colours times `scale`, made once; the array itself when the scale is 1. Absent when there are none.
 pipeline::Attribute colors_times(PreparedGeometry& prepared, const glm::vec4& scale);
 
@@ -55,10 +71,16 @@ class GeometryCache {
  public:
   explicit GeometryCache(const Scene& scene) : scene_(scene) {}
   PreparedGeometry& get(int mesh, int primitive, std::optional<float> crease_angle_deg);
+  /// The same with tangents; null as prepare_tangents.
+  PreparedGeometry* get(int mesh, int primitive, std::optional<float> crease_angle_deg,
+                        const TangentUse& use);
 
  private:
   const Scene& scene_;
-  std::map<std::tuple<int, int, float>, std::unique_ptr<PreparedGeometry>> prepared_;
+  using Key = std::tuple<int, int, float>;
+  std::map<Key, std::unique_ptr<PreparedGeometry>> prepared_;
+  std::map<std::tuple<Key, int, bool, std::array<float, 9>>, std::unique_ptr<PreparedGeometry>>
+      with_tangents_;
 };
 
 }  // namespace barrido::scene

@@ -58,6 +58,23 @@ struct MaterialOverride {
   ExactMaterial exact;
 };
 
+/// A picture that the user lays on the surfaces of all materials that have TEXCOORD_0.
+struct UserMap {
+  std::string path;
+  std::shared_ptr<const raster::Texture> picture;  ///< Read from there; null: nothing is drawn with it.
+  glm::vec2 repeat{1, 1};
+  float height = BumpMap().height;  ///< Of bump maps, as BumpMap::height
+  raster::BumpForm form = raster::BumpForm::invariant;
+};
+
+/// Maps in place of those of every material.
+struct MapOverride {
+  bool drawn = true;                    ///< False: neither these nor the materials'.
+  std::optional<UserMap> bump;          ///< Also in place of a normal map
+  std::optional<UserMap> transparency;  ///< Its alpha is the opacity.
+  std::optional<UserMap> specularity;
+};
+
 /// Lines drawn over the finished picture.
 struct Overlays {
   bool edges = false;    ///< Of the triangles that are seen.
@@ -93,6 +110,7 @@ struct RenderSettings {
   bool wireframe = false;
   Overlays overlays;
   MaterialOverride material;
+  MapOverride maps;
   std::optional<float> crease_angle_deg;  ///< Set: normals are averaged where a model has none.
   ColorManagement color_management = ColorManagement::srgb;
   float exposure_ev = 0.0f;

@@ -21,6 +21,7 @@
 
 #include "pipeline/geometry.h"
 #include "pipeline/pictures/image.h"
+#include "raster/fragments/fragment_state.h"
 #include "raster/textures/texture.h"
 
 namespace barrido::scene {
@@ -94,6 +95,14 @@ struct TextureUse {
   glm::mat3 transform{1.0f};  ///< KHR_texture_transform: (u, v, 1) → (u', v', 1)
 };
 
+/// Heights whose slopes tilt normals (T14). extras.barrido of a material.
+struct BumpMap {
+  TextureUse texture;    ///< Mean of R, G and B
+  float height = 0.05f;  ///< Of white over black, in the model's units, or in repeats of the map where `form`
+                         ///< is invariant
+  raster::BumpForm form = raster::BumpForm::invariant;
+};
+
 /// extras.barrido of a material: exact fixed-function values; what is absent comes from the conversion.
 struct ExactMaterial {
   std::optional<glm::vec3> ambient, diffuse, specular, emission;
@@ -142,20 +151,27 @@ struct Material {
   TextureUse base_color_texture;
   TextureUse metallic_roughness_texture;  ///< G roughness, B metallic
   TextureUse normal_texture;
+  float normal_scale = 1.0f;     ///< Of x and y
   TextureUse occlusion_texture;  ///< R
+  float occlusion_strength = 1.0f;
   TextureUse emissive_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;                            ///< KHR_materials_unlit
   std::shared_ptr<const MaterialLayers> layers;  ///< Null where no extension asks for one.
+  // extras.barrido
   ExactMaterial exact;
+  BumpMap bump;
+  TextureUse transparency_texture;  ///< R: 0 lets all through, 1 is opaque (T16)
+  TextureUse specularity_texture;   ///< RGB: factor of the highlights (T16)
 };
 
 /// Differences, one element a vertex; each may be empty.
 struct MorphTarget {
   FloatArray positions;                 ///< 3 floats
   FloatArray normals;                   ///< 3 floats
+  FloatArray tangents;                  ///< 3 floats; of the file's tangents
   std::array<FloatArray, 2> texcoords;  ///< 2 floats
   FloatArray colors;                    ///< 4 floats
 };

@@ -4,110 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "pipeline/scene/surface_builder.h"
+
 namespace barrido::scene {
 namespace {
-
-glm::mat4 texture_matrix(const glm::mat3& transform) {
-  glm::mat4 matrix(1.0f);
-  matrix[0] = {transform[0].x, transform[0].y, 0, 0};
-  matrix[1] = {transform[1].x, transform[1].y, 0, 0};
-  matrix[3] = {transform[2].x, transform[2].y, 0, 1};
-  return matrix;
-}
-
-/// A combination for the colour that leaves the alpha alone.
-raster::CombineState combine_colors(raster::CombineFunction function,
-                                    std::array<raster::CombineSource, 3> sources) {
-  raster::CombineState combine;
-  combine.rgb.function = function;
-  combine.rgb.source = sources;
-  combine.rgb.operand.fill(raster::CombineOperand::color);
-  combine.alpha.function = raster::CombineFunction::replace;
-  combine.alpha.source[0] = raster::CombineSource::previous;
-  return combine;
-}
-
-/// Adds units to a surface, first to last in the order of the texturing.
-class SurfaceBuilder {
- public:
-  SurfaceBuilder(const Scene& scene, const SurfaceOptions& options, TextureCache& textures,
-                 SurfaceState& surface)
-      : scene_(scene), options_(options), textures_(textures), surface_(surface) {}
-
-  bool can_use(const TextureUse& use) const { return options_.textures && textures_.usable(use.texture); }
-
-  void add_base_color(const TextureUse& use) {
-    TexelUse texels;
-    texels.opaque = surface_.alpha_mode == AlphaMode::opaque;
-    texels.mip_colors = options_.mip_colors;
-    add_texture(use, texels, raster::TextureEnvMode::modulate);
-  }
-
-  /// One channel of a picture, as greys, times `factor`.
-  void add_factor(const TextureUse& use, TexelUse::Channels channels, float factor) {
-    TexelUse texels;
-    texels.channels = channels;
-    texels.opaque = true;
-    texels.factor = glm::vec3(factor);
-    texels.encoding = raster::Encoding::linear;
-    add_texture(use, texels, raster::TextureEnvMode::modulate);
-  }
-
-  void add_emissive(const TextureUse& use, const glm::vec3& factor) {
-    TexelUse texels;
-    texels.opaque = true;  // The mode `add` multiplies alphas.
-    texels.factor = factor;
-    add_texture(use, texels, raster::TextureEnvMode::add);
-  }
-
-  /// previous·(1 − reflectance) + map·reflectance
-  void add_reflection(const glm::vec3& reflectance) {
-    using Source = raster::CombineSource;
-    raster::TextureUnit& unit = next_unit();
-    surface_.reflection_unit = surface_.unit_count - 1;
-    unit.min_filter = options_.min_filter.value_or(raster::MinFilter::linear_mipmap_linear);
-    unit.mag_filter = options_.mag_filter.value_or(raster::MagFilter::linear);
-    unit.env_mode = raster::TextureEnvMode::combine;
-    unit.combine = combine_colors(raster::CombineFunction::interpolate,
-                                  {Source::texture, Source::previous, Source::constant});
-    unit.env_color = {reflectance.r, reflectance.g, reflectance.b, 1.0f};
-  }
-
-  /// previous + color
-  void add_constant(const glm::vec3& color) {
-    using Source = raster::CombineSource;
-    raster::TextureUnit& unit = next_unit();
-    unit.texture = &textures_.white();
-    unit.min_filter = raster::MinFilter::nearest;
-    unit.mag_filter = raster::MagFilter::nearest;
-    unit.env_mode = raster::TextureEnvMode::combine;
-    unit.combine =
-        combine_colors(raster::CombineFunction::add, {Source::previous, Source::constant, Source::constant});
-    unit.env_color = {color.r, color.g, color.b, 0.0f};
-  }
-
- private:
-  raster::TextureUnit& next_unit() { return surface_.units[static_cast<std::size_t>(surface_.unit_count++)]; }
-
-  void add_texture(const TextureUse& use, TexelUse texels, raster::TextureEnvMode mode) {
-    const Texture& source = scene_.textures[static_cast<std::size_t>(use.texture)];
-    const auto index = static_cast<std::size_t>(surface_.unit_count);
-    raster::TextureUnit& unit = next_unit();
-    unit.min_filter = options_.min_filter.value_or(source.min_filter);
-    unit.mag_filter = options_.mag_filter.value_or(source.mag_filter);
-    unit.env_mode = mode;
-    if (texels.channels == TexelUse::Channels::color) texels.encoding = options_.encoding;
-    texels.mipmaps = uses_mipmaps(unit.min_filter);
-    unit.texture = &textures_.get(use.texture, texels);
-    surface_.texcoord_set[index] = use.texcoord_set;
-    surface_.texture_matrix[index] = texture_matrix(use.transform);
-  }
-
-  const Scene& scene_;
-  const SurfaceOptions& options_;
-  TextureCache& textures_;
-  SurfaceState& surface_;
-};
 
 SurfaceContext context_of(const Material& material, bool has_colors, const SurfaceOptions& options,
                           TextureCache& textures) {
@@ -162,10 +62,60 @@ void set_emission(SurfaceState& surface, const Material& material, const glm::ve
   }
 }
 
-void set_lit(SurfaceState& surface, const Material& material, bool has_colors, const SurfaceOptions& options,
-             TextureCache& textures, SurfaceBuilder& builder) {
-  const SurfaceCoefficients coefficients = convert_material(
-      material, context_of(material, has_colors, options, textures), options.reflections, options.limits);
+/// Whether the pictures of KHR_materials_specular are drawn as they are: then all that shines is multiplied
+/// by them. Of a material with metal, only a part is.
+bool shines_by_picture(const Material& material, const SurfaceOptions& options,
+                       const TextureCache& textures) {
+  const auto usable = [&](const TextureUse& use) { return options.textures && textures.usable(use.texture); };
+  const MaterialLayers* layers = material.layers.get();
+  return options.maps.drawn && layers != nullptr && !layers->specular_glossiness &&
+         material.metallic == 0.0f && !material.exact.specular && !material.exact.diffuse &&
+         layers->iridescence == 0.0f &&
+         (usable(layers->specular_texture) || usable(layers->specular_color_texture));
+}
+
+TexelUse colors_of(const SurfaceOptions& options) {
+  TexelUse texels;
+  texels.encoding = options.encoding;
+  return texels;
+}
+
+/// What changes normals before light, or is a factor of ambient light or highlights.
+void add_maps(SurfaceState& surface, const Material& material, const SurfaceOptions& options,
+              SurfaceBuilder& builder) {
+  using Role = raster::TextureRole;
+  const MapOverride& own = options.maps;
+  if (!own.drawn) return;
+  const bool has_bump = builder.can_use(material.bump.texture);
+  const bool has_normals = own.bump.has_value() || has_bump || builder.can_use(material.normal_texture);
+  surface.drops_normals = has_normals && !options.fragment_normals;
+  if (options.fragment_normals && own.bump) {
+    builder.add_map(*own.bump, Role::bump, own.bump->height);
+  } else if (options.fragment_normals && has_bump) {
+    builder.add_map(material.bump.texture, Role::bump, material.bump.height);
+    builder.set_bump_form(material.bump.form);
+  } else if (options.fragment_normals) {
+    builder.add_map(material.normal_texture, Role::normal, material.normal_scale);
+  }
+  surface.drops_occlusion = builder.can_use(material.occlusion_texture) && !options.fragment_light;
+  if (options.fragment_light) {
+    builder.add_map(material.occlusion_texture, Role::occlusion, material.occlusion_strength);
+  }
+  if (own.specularity) {
+    builder.add_map(*own.specularity, Role::shine, 1.0f);
+  } else {
+    builder.add_map(material.specularity_texture, Role::shine, 1.0f, colors_of(options));
+  }
+}
+
+void set_lit(SurfaceState& surface, const Material& material, const Material* highlights, bool has_colors,
+             const SurfaceOptions& options, TextureCache& textures, SurfaceBuilder& builder) {
+  const SurfaceContext context = context_of(material, has_colors, options, textures);
+  SurfaceCoefficients coefficients = convert_material(material, context, options.reflections, options.limits);
+  if (highlights != nullptr) {
+    coefficients.specular =
+        convert_material(*highlights, context, options.reflections, options.limits).specular;
+  }
   set_material(surface, coefficients, material.exact, options);
   if (has_colors) {
     surface.color = coefficients.diffuse;
@@ -177,6 +127,13 @@ void set_lit(SurfaceState& surface, const Material& material, bool has_colors, c
   if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
   if (reflects && !coefficients.reflection_before_texture) builder.add_reflection(coefficients.reflectance);
   set_emission(surface, material, coefficients.emission, options, textures, builder);
+  add_maps(surface, material, options, builder);
+  if (highlights == nullptr) return;
+  TexelUse alphas;
+  alphas.channels = TexelUse::Channels::alpha;
+  builder.add_map(highlights->layers->specular_texture, raster::TextureRole::shine, 1.0f, alphas);
+  builder.add_map(highlights->layers->specular_color_texture, raster::TextureRole::shine, 1.0f,
+                  colors_of(options));
 }
 
 /// The mean of the texels at the vertices: pictures of factors can be followed from draw to draw, not from
@@ -248,6 +205,8 @@ struct SurfaceMaker {
   const SurfaceUse& use;
   const SurfaceOptions& options;
   TextureCache& textures;
+  /// The material with highlights that its pictures have yet to weaken; null where nothing is left to them.
+  const Material* highlights = nullptr;
 
   /// The material by itself.
   SurfaceState base(Material source) const {
@@ -259,8 +218,9 @@ struct SurfaceMaker {
     if (source.unlit || !use.has_normals) {
       set_unlit(surface, source, builder);
     } else {
-      set_lit(surface, source, use.has_colors, options, textures, builder);
+      set_lit(surface, source, highlights, use.has_colors, options, textures, builder);
     }
+    add_transparency(source, builder);
     if (surface.alpha_mode == AlphaMode::opaque) surface.color.a = surface.material.diffuse.a = 1.0f;
     return surface;
   }
@@ -306,13 +266,31 @@ struct SurfaceMaker {
   }
 
  private:
+  /// An opaque material becomes one that is blended: otherwise its opacity would count for nothing.
+  void add_transparency(const Material& source, SurfaceBuilder& builder) const {
+    if (!has_transparency(source)) return;
+    if (options.maps.transparency && options.maps.transparency->picture) {
+      builder.add_map(*options.maps.transparency, raster::TextureRole::environment, 1.0f);
+    } else {
+      builder.add_opacity(source.transparency_texture);
+    }
+  }
+
+  bool has_transparency(const Material& source) const {
+    if (!options.maps.drawn) return false;
+    return (options.maps.transparency && options.maps.transparency->picture) ||
+           (options.textures && textures.usable(source.transparency_texture.texture));
+  }
+
   SurfaceState start(const Material& source) const {
     SurfaceState surface;
     surface.texture_matrix.fill(glm::mat4(1.0f));
     surface.alpha_mode = source.alpha_mode;
+    if (surface.alpha_mode == AlphaMode::opaque && has_transparency(source))
+      surface.alpha_mode = AlphaMode::blend;
     surface.alpha_cutoff = source.alpha_cutoff;
     surface.double_sided = source.double_sided;
-    if (source.alpha_mode == AlphaMode::blend) surface.blending = Blending::over;
+    if (surface.alpha_mode == AlphaMode::blend) surface.blending = Blending::over;
     return surface;
   }
 };
@@ -320,14 +298,24 @@ struct SurfaceMaker {
 }  // namespace
 
 std::vector<SurfaceState> make_surfaces(const Scene& scene, const SurfaceUse& use,
-                                        const SurfaceOptions& options, TextureCache& textures) {
+                                        const SurfaceOptions& given, TextureCache& textures) {
   static const Material kDefaultMaterial;
   Material source = changed(
       use.material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(use.material)],
-      options.material);
+      given.material);
   if (source.unlit || !use.has_normals) source.layers = nullptr;
-  const SurfaceMaker maker{scene, use, options, textures};
+  const bool has_place = use.primitive == nullptr || !use.primitive->texcoords[0].empty();
+  if (!has_place && (given.maps.bump || given.maps.transparency || given.maps.specularity)) {
+    SurfaceOptions without = given;
+    without.maps = {};
+    without.maps.drawn = given.maps.drawn;
+    return make_surfaces(scene, use, without, textures);
+  }
+  const SurfaceOptions& options = given;
+  SurfaceMaker maker{scene, use, options, textures};
   if (!source.layers) return {maker.base(source)};
+  Material highlights = source;
+  if (shines_by_picture(source, options, textures)) maker.highlights = &highlights;
   source.layers = with_texels(*source.layers, *use.primitive, options, textures);
   std::vector<SurfaceState> surfaces;
   if (source.layers->transmission > 0.0f) {
@@ -337,6 +325,7 @@ std::vector<SurfaceState> make_surfaces(const Scene& scene, const SurfaceUse& us
     surfaces.push_back(maker.base(source));
   }
   if (source.layers->clearcoat > 0.0f) {
+    maker.highlights = nullptr;  // the coat is another material
     surfaces.push_back(maker.base(clearcoat_of(source)));
     surfaces.back().blending = surfaces.front().blending == Blending::none ? Blending::coat : Blending::add;
   }

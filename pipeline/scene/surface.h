@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/scene/material_conversion.h"
+#include "pipeline/scene/prepared_geometry.h"
 #include "pipeline/scene/render_scene.h"
 #include "pipeline/scene/scene.h"
 #include "pipeline/scene/texture_cache.h"
@@ -25,7 +26,10 @@ struct SurfaceOptions {
   ConversionLimits limits;
   bool mip_colors = false;  ///< As TexelUse::mip_colors, for base colours.
   MaterialOverride material;
-  int variant = kNone;  ///< Of Scene::variants
+  MapOverride maps;
+  bool fragment_normals = true;  ///< Fragments have normals of their own, which maps can change,
+  bool fragment_light = true;    ///< and ambient light, which maps can weaken.
+  int variant = kNone;           ///< Of Scene::variants
 };
 
 /// How a draw meets what is there already.
@@ -48,11 +52,16 @@ struct SurfaceState {
   bool double_sided = false;
   std::array<raster::TextureUnit, raster::kMaxTextureUnits> units;
   std::array<glm::mat4, raster::kMaxTextureUnits> texture_matrix{};
-  std::array<int, raster::kMaxTextureUnits> texcoord_set{kNone, kNone, kNone,
-                                                         kNone};  ///< TEXCOORD_n of a unit
+  std::array<int, raster::kMaxTextureUnits> texcoord_set;  ///< TEXCOORD_n of a unit, or kNone
   int unit_count = 0;
   int reflection_unit = kNone;       ///< The unit that is to have the environment's cube map
   float reflection_exponent = 0.0f;  ///< Of the lobe in which the surface gathers its environment
+  int normal_unit = kNone;           ///< The unit whose map changes normals,
+  TangentUse tangents;               ///< and what it is to know of the surface
+  /// Maps that the shading mode has no place for: of normals, of ambient light.
+  bool drops_normals = false, drops_occlusion = false;
+
+  SurfaceState() { texcoord_set.fill(kNone); }
 };
 
 /// What a surface is made for.

@@ -38,14 +38,20 @@ PixelBytes changed_texels(const Image& image, const TexelUse& use) {
   for (int channel = 0; channel < 3; ++channel) {
     tables[static_cast<std::size_t>(channel)] = multiplied(use.factor[channel], use.encoding);
   }
-  // Where greys are made, every channel comes from the first.
-  const bool is_grey = use.channels != TexelUse::Channels::color;
-  const std::size_t green = is_grey ? 0 : 1, blue = is_grey ? 0 : 2;
+  // Where greys are made, every channel comes from one.
+  using Channels = TexelUse::Channels;
+  const bool is_grey = use.channels != Channels::color;
+  const std::size_t red = use.channels == Channels::alpha ? 3 : 0;
+  const std::size_t green = is_grey ? red : 1, blue = is_grey ? red : 2;
   if (is_grey) tables[1] = tables[2] = tables[0];
-  if (use.channels == TexelUse::Channels::one_minus_red) {
+  if (use.channels == Channels::one_minus_red) {
     for (ByteTable& table : tables) {
       for (std::uint8_t& byte : table) byte = static_cast<std::uint8_t>(255 - byte);
     }
+  }
+  const std::size_t opacity = use.channels == Channels::red_as_alpha ? 0 : 3;
+  if (use.channels == Channels::red_as_alpha) {
+    for (ByteTable& table : tables) table.fill(255);
   }
   PixelBytes changed(image.rgba.size());
   const std::size_t pitch = static_cast<std::size_t>(image.width) * 4;
@@ -55,9 +61,9 @@ PixelBytes changed_texels(const Image& image, const TexelUse& use) {
     std::uint8_t* out = changed.data() + static_cast<std::size_t>(row) * pitch;
     for (std::size_t i = 0; i < pitch; i += 4) {
       // One store a texel.
-      const std::array<std::uint8_t, 4> texel{tables[0][in[i]], tables[1][in[i + green]],
+      const std::array<std::uint8_t, 4> texel{tables[0][in[i + red]], tables[1][in[i + green]],
                                               tables[2][in[i + blue]],
-                                              static_cast<std::uint8_t>(in[i + 3] | alpha)};
+                                              static_cast<std::uint8_t>(in[i + opacity] | alpha)};
       std::memcpy(out + i, texel.data(), texel.size());
     }
   });

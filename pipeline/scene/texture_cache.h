@@ -18,8 +18,8 @@ namespace barrido::scene {
 
 /// What a texture is used for, as far as its texels depend on it.
 struct TexelUse {
-  /// The picture's own, or greys: of its red, for factors; of 1 − red.
-  enum class Channels : std::uint8_t { color, red, one_minus_red };
+  /// The picture's own; greys, of its red or alpha for factors, or of 1 − red; white with the red as alpha.
+  enum class Channels : std::uint8_t { color, red, one_minus_red, alpha, red_as_alpha };
   Channels channels = Channels::color;
   raster::Encoding encoding = raster::Encoding::linear;
   bool mipmaps = true;

@@ -72,6 +72,8 @@ struct TextureProcedure {
 extern const StageKind kTakeColors;
 /// One texture unit: sample or procedure, then the texture environment.
 extern const StageKind kApplyTexture;
+/// Multiplies the secondary colour by the texels of a unit whose role is `shine`.
+extern const StageKind kApplyShine;
 /// Adds the secondary colour.
 extern const StageKind kAddSecondary;
 extern const StageKind kApplyFog;

@@ -98,7 +98,18 @@ struct FogState {
 /// GL_TEXTURE_ENV_MODE (OpenGL 1.3, tables 3.22 and 3.23). `combine` uses the CombineState.
 enum class TextureEnvMode : std::uint8_t { modulate, replace, add, decal, blend, combine };
 
-enum class CombineFunction : std::uint8_t { replace, modulate, add, add_signed, interpolate, subtract };
+/// The last two only of the colour channels: 4 Σ (a − ½)(b − ½) over R, G and B, for all three, or with alpha
+/// for all four channels, whose own combination is then not asked for.
+enum class CombineFunction : std::uint8_t {
+  replace,
+  modulate,
+  add,
+  add_signed,
+  interpolate,
+  subtract,
+  dot3_rgb,
+  dot3_rgba
+};
 enum class CombineSource : std::uint8_t { texture, constant, primary, previous };
 enum class CombineOperand : std::uint8_t { color, one_minus_color, alpha, one_minus_alpha };
 
@@ -118,8 +129,24 @@ struct CombineState {
                        1.0f};
 };
 
+/// What becomes of a unit's texels.
+enum class TextureRole : std::uint8_t {
+  environment,  ///< The texture environment works them into the colour.
+  normal,       ///< Normals in tangent space, (2t − 1), before light.
+  bump,         ///< Heights, the mean of R, G and B, whose slopes tilt the normal before light.
+  occlusion,    ///< R: the share of ambient light that arrives.
+  shine,        ///< Factors of the secondary colour, where that is added by itself.
+};
+
+/// How slopes tilt a normal (course T14; Blinn 1978).
+enum class BumpForm : std::uint8_t {
+  invariant,  ///< D' = a D |N|/|D|, a = √(F_u² + F_v²): the same at every size of the object.
+  blinn,      ///< N' = N + D: heights and lengths of the object are of one unit.
+};
+
 /// One texture unit; off when it has neither a texture nor a procedure.
 struct TextureUnit {
+  TextureRole role = TextureRole::environment;
   const Texture* texture = nullptr;
   const TextureProcedure* procedure = nullptr;  ///< In place of a texture.
   MinFilter min_filter = MinFilter::nearest_mipmap_linear;
@@ -128,6 +155,8 @@ struct TextureUnit {
   TextureEnvMode env_mode = TextureEnvMode::modulate;
   CombineState combine;
   std::array<float, 4> env_color{0, 0, 0, 0};
+  float strength = 1.0f;  ///< Of a map: scale of x and y of normals, height of white, share of the occlusion.
+  BumpForm bump_form = BumpForm::invariant;
 };
 
 /// What a unit's texture coordinates are made of.
@@ -160,10 +189,12 @@ inline bool is_opaque(const FragmentState& state) {
   return !state.blend.enabled && !state.alpha_test.enabled && all_channels(state.color_mask);
 }
 
-/// Whether a texture unit takes part.
+/// Whether a stage reads the unit.
 inline bool is_active(const FragmentState& state, int unit) {
   for (const FragmentStage& stage : state.stages) {
-    if (stage.kind == &kApplyTexture && stage.unit == unit) return true;
+    for (const Varying& read : stage.reads) {
+      if (read.meaning == Meaning::texcoord && read.unit == unit && read.floats > 0) return true;
+    }
   }
   return false;
 }

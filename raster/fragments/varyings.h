@@ -8,10 +8,12 @@
 
 namespace barrido::raster {
 
-inline constexpr int kMaxTextureUnits = 4;
+/// Texture units of a draw: those of the texture environment and those whose pictures are maps that other
+/// stages read (TextureRole).
+inline constexpr int kMaxTextureUnits = 8;
 inline constexpr int kMaxLights = 64;
-/// Largest number of varyings a vertex carries: cheap Phong's two dot products a light, and 32 others.
-inline constexpr int kMaxVaryings = 2 * kMaxLights + 32;
+/// Largest number of varyings a vertex carries: cheap Phong's two dot products a light, and 48 others.
+inline constexpr int kMaxVaryings = 2 * kMaxLights + 48;
 
 inline constexpr int kAbsent = -1;
 
@@ -20,13 +22,15 @@ enum class Meaning : std::uint8_t {
   color,         ///< 4: primary colour; absent where the primitive has one of its own.
   specular,      ///< 3: secondary colour, added after texturing; absent likewise, or where none is added.
   normal,        ///< 3: eye space.
+  tangents,      ///< 6: how the eye-space place changes with the two coordinates of a map, P_u and P_v.
   eye_position,  ///< 3: eye space.
   dots,          ///< 2 a light: N·L and R·V (or its power); cheap Phong.
   texcoord,      ///< 2 or 3, one entry a texture unit.
   fog,           ///< 1: eye-space z, or any value whose magnitude is the fog distance.
   visibility,    ///< 1 a light: the share of it that arrives. Made by a stage, not interpolated.
+  occlusion,     ///< 1: the share of ambient light that arrives. Made by a stage.
 };
-inline constexpr std::size_t kMeaningCount = 8;
+inline constexpr std::size_t kMeaningCount = 10;
 
 using Meanings = std::uint32_t;  ///< A set of them.
 constexpr Meanings set_of(Meaning meaning) { return 1u << static_cast<unsigned>(meaning); }

@@ -65,8 +65,36 @@ HWY_INLINE V combine_channel(const CombineInputs& in, const CombineChannel& c, i
     case CombineFunction::subtract:
       result = hn::Sub(result, a(1));
       break;
+    case CombineFunction::dot3_rgb:  // see combine_all
+    case CombineFunction::dot3_rgba:
+      break;
   }
   return hn::Mul(result, hn::Set(F(), c.scale));
+}
+
+/// 4 ((r₀ − ½)(r₁ − ½) + (g₀ − ½)(g₁ − ½) + (b₀ − ½)(b₁ − ½)) (OpenGL 1.3, table 3.24).
+HWY_INLINE V dot3(const CombineInputs& in, const CombineChannel& c) {
+  const auto product = [&](int channel) HWY_ATTR {
+    const V half = hn::Set(F(), 0.5f);
+    return hn::Mul(hn::Sub(argument(in, c.source[0], c.operand[0], channel), half),
+                   hn::Sub(argument(in, c.source[1], c.operand[1], channel), half));
+  };
+  return hn::Mul(hn::Add(hn::Add(product(0), product(1)), product(2)), hn::Set(F(), 4.0f));
+}
+
+HWY_INLINE Rgba combine_all(const CombineInputs& in, const CombineState& combine) {
+  Rgba out;
+  const CombineFunction function = combine.rgb.function;
+  const bool to_alpha = function == CombineFunction::dot3_rgba;
+  if (to_alpha || function == CombineFunction::dot3_rgb) {
+    const V value = dot3(in, combine.rgb);
+    out.c[0] = out.c[1] = out.c[2] = hn::Mul(value, hn::Set(F(), combine.rgb.scale));
+    out.c[3] =
+        to_alpha ? hn::Mul(value, hn::Set(F(), combine.alpha.scale)) : combine_channel(in, combine.alpha, 3);
+    return out;
+  }
+  for (int c = 0; c < 4; ++c) out.c[c] = combine_channel(in, c < 3 ? combine.rgb : combine.alpha, c);
+  return out;
 }
 
 /// The environments of OpenGL 1.0 and 1.1 for an RGBA texture.
@@ -114,14 +142,21 @@ void CombineTexture(FragmentBatch& batch, int unit_number, const float (*texel)[
     if (unit.env_mode == TextureEnvMode::combine) {
       const auto& k = unit.env_color;
       const Rgba constant{{hn::Set(d, k[0]), hn::Set(d, k[1]), hn::Set(d, k[2]), hn::Set(d, k[3])}};
-      const CombineInputs in{texture, constant, load(primary, i), previous};
-      for (int c = 0; c < 4; ++c) {
-        out.c[c] = combine_channel(in, c < 3 ? unit.combine.rgb : unit.combine.alpha, c);
-      }
+      out = combine_all({texture, constant, load(primary, i), previous}, unit.combine);
     } else {
       out = classic(unit, previous, texture);
     }
     for (int c = 0; c < 4; ++c) hn::Store(clamp ? clamp01(out.c[c]) : out.c[c], d, batch.color[c] + i);
+  }
+}
+
+void MultiplySecondary(FragmentBatch& batch, const float (*texel)[kBatchStride]) {
+  const F d;
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+      const V product = hn::Mul(hn::Load(d, batch.specular[c] + i), hn::Load(d, texel[c] + i));
+      hn::Store(product, d, batch.specular[c] + i);
+    }
   }
 }
 
@@ -157,11 +192,16 @@ HWY_AFTER_NAMESPACE();
 namespace barrido::raster {
 
 HWY_EXPORT(CombineTexture);
+HWY_EXPORT(MultiplySecondary);
 HWY_EXPORT(StartColors);
 
 void combine_texture(FragmentBatch& batch, int unit, const float (*texel)[kBatchStride],
                      const float (*primary)[kBatchStride]) {
   HWY_DYNAMIC_DISPATCH(CombineTexture)(batch, unit, texel, primary);
+}
+
+void multiply_secondary(FragmentBatch& batch, const float (*texel)[kBatchStride]) {
+  HWY_DYNAMIC_DISPATCH(MultiplySecondary)(batch, texel);
 }
 
 void start_colors(const KernelKey& key, FragmentBatch& batch) {

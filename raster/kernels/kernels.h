@@ -27,6 +27,13 @@ void find_levels(const LodGroups& groups, int group_count, int unit, const Fragm
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,
                              float (*texel)[kBatchStride]);
 
+/// The texels of `unit` for every fragment of the batch, of its picture or procedure, into workspace.texel;
+/// counted in the statistics.
+void sample_unit(TileWorkspace& workspace, int unit);
+
+/// Multiplies the batch's secondary colours by the texels.
+void multiply_secondary(FragmentBatch& batch, const float (*texel)[kBatchStride]);
+
 /// Samples `unit`'s texture and multiplies the batch's colours by the texels: TextureEnvMode::modulate.
 /// @return texels read.
 std::uint64_t modulate_by_texture(FragmentBatch& batch, int unit, const SampleLevels& levels);

@@ -15,13 +15,17 @@ Color clamped(Color color) {
   return color;
 }
 
-/// The unit's texel: of its picture, or of the procedure in its place.
-Color texel_of(const Fragment& fragment, int unit, UnitTrace* trace) {
+}  // namespace
+
+Color unit_texel(const Fragment& fragment, int unit, UnitTrace* trace, const std::array<float, 3>& shift) {
   const TextureUnit& state = fragment.state->texture_units[static_cast<std::size_t>(unit)];
   const VaryingList& varyings = fragment.state->varyings;
   float coordinates[3] = {0, 0, 0};
   std::copy_n(fragment.varying + varyings.at(Meaning::texcoord, unit),
               varyings.floats(Meaning::texcoord, unit), coordinates);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (shift[i] != 0.0f) coordinates[i] = coordinates[i] + shift[i];
+  }
   if (trace != nullptr) {
     trace->unit = unit;
     std::copy_n(coordinates, 3, trace->coordinates);
@@ -35,8 +39,6 @@ Color texel_of(const Fragment& fragment, int unit, UnitTrace* trace) {
   if (trace != nullptr) trace->sample.color = texel;
   return texel;
 }
-
-}  // namespace
 
 float fog_fraction(const FogState& fog, float distance) {
   constexpr float kLog2E = 1.44269504f;
@@ -86,7 +88,7 @@ void take_colors(const FragmentStage&, Fragment& fragment, ShadingTrace* trace) 
 void apply_texture(const FragmentStage& stage, Fragment& fragment, ShadingTrace* trace) {
   const FragmentState& state = *fragment.state;
   UnitTrace* remembered = trace != nullptr ? &trace->units.emplace_back() : nullptr;
-  const UnitInputs inputs{texel_of(fragment, stage.unit, remembered), fragment.primary, fragment.color};
+  const UnitInputs inputs{unit_texel(fragment, stage.unit, remembered), fragment.primary, fragment.color};
   const Color result =
       apply_texture_environment(state.texture_units[static_cast<std::size_t>(stage.unit)], inputs);
   fragment.color = state.clamp_colors ? clamped(result) : result;
@@ -94,6 +96,16 @@ void apply_texture(const FragmentStage& stage, Fragment& fragment, ShadingTrace*
     remembered->previous = inputs.previous;
     remembered->result = result;
     remembered->color = fragment.color;
+  }
+}
+
+void apply_shine(const FragmentStage& stage, Fragment& fragment, ShadingTrace* trace) {
+  UnitTrace* remembered = trace != nullptr ? &trace->maps.emplace_back() : nullptr;
+  const Color texel = unit_texel(fragment, stage.unit, remembered);
+  Color& specular = fragment.specular;
+  for (std::size_t c = 0; c < 3; ++c) specular[c] = specular[c] * texel[c];
+  if (remembered != nullptr) {
+    remembered->notes.push_back({"highlights", {specular[0], specular[1], specular[2]}});
   }
 }
 

@@ -59,8 +59,36 @@ float combine(const CombineChannel& how, const TextureUnit& unit, const UnitInpu
     case CombineFunction::subtract:
       value = a[0] - a[1];
       break;
+    case CombineFunction::dot3_rgb:  // see combine_all
+    case CombineFunction::dot3_rgba:
+      break;
   }
   return value * how.scale;
+}
+
+/// 4 Σ (a − ½)(b − ½) (OpenGL 1.3, table 3.24).
+float dot3(const CombineChannel& how, const TextureUnit& unit, const UnitInputs& inputs) {
+  const auto product = [&](std::size_t channel) {
+    const auto argument = [&](std::size_t k) {
+      return operand_value(how.operand[k], source_color(how.source[k], unit, inputs), channel);
+    };
+    return (argument(0) - 0.5f) * (argument(1) - 0.5f);
+  };
+  return ((product(0) + product(1)) + product(2)) * 4.0f;
+}
+
+Color combine_all(const TextureUnit& unit, const UnitInputs& inputs) {
+  const CombineChannel &rgb = unit.combine.rgb, &alpha = unit.combine.alpha;
+  const bool to_alpha = rgb.function == CombineFunction::dot3_rgba;
+  if (to_alpha || rgb.function == CombineFunction::dot3_rgb) {
+    const float value = dot3(rgb, unit, inputs);
+    const float color = value * rgb.scale;
+    return {color, color, color, to_alpha ? value * alpha.scale : combine(alpha, unit, inputs, kAlpha)};
+  }
+  Color result{};
+  for (std::size_t c = 0; c < kAlpha; ++c) result[c] = combine(rgb, unit, inputs, c);
+  result[kAlpha] = combine(alpha, unit, inputs, kAlpha);
+  return result;
 }
 
 /// One colour channel of the modes with a fixed formula: cp previous, ct texture, cc constant.
@@ -90,16 +118,13 @@ float fixed_alpha(TextureEnvMode mode, float ap, float at) {
 }  // namespace
 
 Color apply_texture_environment(const TextureUnit& unit, const UnitInputs& inputs) {
+  if (unit.env_mode == TextureEnvMode::combine) return combine_all(unit, inputs);
   Color result{};
   for (std::size_t c = 0; c < kAlpha; ++c) {
-    result[c] = unit.env_mode == TextureEnvMode::combine
-                    ? combine(unit.combine.rgb, unit, inputs, c)
-                    : fixed_color(unit.env_mode, inputs.previous[c], inputs.texture[c],
-                                  inputs.texture[kAlpha], unit.env_color[c]);
+    result[c] = fixed_color(unit.env_mode, inputs.previous[c], inputs.texture[c], inputs.texture[kAlpha],
+                            unit.env_color[c]);
   }
-  result[kAlpha] = unit.env_mode == TextureEnvMode::combine
-                       ? combine(unit.combine.alpha, unit, inputs, kAlpha)
-                       : fixed_alpha(unit.env_mode, inputs.previous[kAlpha], inputs.texture[kAlpha]);
+  result[kAlpha] = fixed_alpha(unit.env_mode, inputs.previous[kAlpha], inputs.texture[kAlpha]);
   return result;
 }
 

@@ -75,6 +75,7 @@ struct ShadingTrace {
   Color lit_secondary{};
   Color primary{};  ///< As the texture units get it.
   Color secondary{};
+  std::vector<UnitTrace> maps;  ///< Of stages that read a map; what they made of it stands in the notes.
   std::vector<UnitTrace> units;
   std::optional<Color> sum;  ///< With the secondary colour, where it is added after texturing.
   std::optional<FogTrace> fog;

@@ -220,8 +220,8 @@ scene::RenderSettings settings_of(const scene::RenderSettings& base, const Plann
   return settings;
 }
 
-const unsigned kDrawnImages =
-    scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kEmissiveImage | scene::kLayerImage;
+const unsigned kDrawnImages = scene::kBaseColorImage | scene::kMetallicRoughnessImage | scene::kNormalImage |
+                              scene::kOcclusionImage | scene::kEmissiveImage | scene::kLayerImage;
 
 scene::RenderSettings resolved_settings(const RenderOptions& options) {
   scene::RenderSettings settings = options.settings;

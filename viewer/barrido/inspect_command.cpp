@@ -11,6 +11,7 @@
 #include "viewer/barrido/frame_plan.h"
 #include "viewer/barrido/help.h"
 #include "viewer/barrido/inspect_options.h"
+#include "viewer/barrido/map_spec.h"
 #include "viewer/barrido/standard_streams.h"
 
 namespace barrido::cli {
@@ -21,6 +22,9 @@ scene::RenderSettings settings_of_frame(const RenderOptions& options, const scen
                                         CallLimits& limits) {
   scene::RenderSettings settings = resolved_settings(options);
   settings.environment = load_environment(options, limits.open(options.environment_path, true).get());
+  if (const std::vector<std::string> maps = map_paths(settings); !maps.empty()) {
+    load_maps(settings, limits.open(maps.front(), true).get());
+  }
   const int root = scene::resolve_scene_index(scene, settings.scene_index);
   const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
   const FileFacts facts{options.files[0], static_cast<int>(cameras.size()),

@@ -15,6 +15,7 @@
 #include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/help.h"
+#include "viewer/barrido/map_spec.h"
 #include "viewer/barrido/process_guard.h"
 #include "viewer/barrido/standard_streams.h"
 #include "viewer/sheet/view_picture.h"
@@ -52,16 +53,17 @@ void make_folders(const std::vector<PlannedFrame>& frames) {
 }
 
 /// A picture never takes the place of what it is made from: a model, its textures, the surroundings.
-void refuse_inputs(const std::string& output, const std::vector<std::string>& files,
-                   const std::string& environment, const std::string& path, const scene::Scene& scene) {
+void refuse_inputs(const std::string& output, const RenderOptions& options, const std::string& path,
+                   const scene::Scene& scene) {
   if (output.empty() || output == "-") return;
   const auto refuse = [&](const std::filesystem::path& input) {
     std::error_code ignored;
     if (!std::filesystem::equivalent(output, input, ignored)) return;
     throw UsageError("--output: '" + output + "' would be written over an input");
   };
-  for (const std::string& file : files) refuse(file);
-  if (!environment.empty()) refuse(environment);
+  for (const std::string& file : options.files) refuse(file);
+  for (const std::string& map : map_paths(options.settings)) refuse(map);
+  if (!options.environment_path.empty()) refuse(options.environment_path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   for (const scene::Image& image : scene.images) refuse(folder / image.name);
 }
@@ -91,6 +93,9 @@ void RenderCall::resolve_settings() {
 }
 
 void RenderCall::load_environment() {
+  if (const std::vector<std::string> maps = map_paths(settings_); !maps.empty()) {
+    load_maps(settings_, limits_.open(maps.front(), true).get());
+  }
   if (options_.environment_path.empty()) return;
   console_.set_progress("loading " + options_.environment_path);
   const Stopwatch watch;
@@ -112,7 +117,7 @@ bool RenderCall::render_file(const std::string& path) {
     scene = scene::import_gltf(path, import);
     frames = plan(*scene, path);
     for (const PlannedFrame& frame : frames) {
-      refuse_inputs(frame.output, options_.files, options_.environment_path, path, *scene);
+      refuse_inputs(frame.output, options_, path, *scene);
     }
   } catch (const std::exception& error) {
     const bool memory = is_out_of_memory(error);

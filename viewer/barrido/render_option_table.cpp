@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "viewer/barrido/map_spec.h"
 #include "viewer/barrido/mode_list.h"
 #include "viewer/barrido/option_fields.h"
 #include "viewer/barrido/render_values.h"
@@ -13,6 +14,7 @@ namespace {
 using Options = RenderOptions;
 using Settings = scene::RenderSettings;
 using Camera = scene::CameraChoice;
+using scene::MapOverride;
 using scene::Overlays;
 
 constexpr auto kPicture = OptionScope::picture;
@@ -70,6 +72,13 @@ constexpr Editor kTexturesEditor = [] {
   editor.inverted = true;
   return editor;
 }();
+
+constexpr Editor kMapsEditor = [] {
+  Editor editor = widget("maps");
+  editor.inverted = true;
+  return editor;
+}();
+constexpr Editor kMapPath = no_editor("a picture is given with the call");
 
 constexpr OptionValue always_written(OptionValue value) {
   value.is_always_written = true;
@@ -160,6 +169,21 @@ constexpr RenderOption kTextureOptions[] = {
            choice<&Settings::min_filter>(), list("smaller", "the file's")),
     option("--mag-filter", "NAME", kPicture, "nearest or linear. Default: the file's.",
            choice<&Settings::mag_filter>(), list("larger", "the file's")),
+    option("--no-maps", "", kPicture,
+           "Draw without the maps that change normals, ambient light, opacity or highlights.",
+           flag<&MapOverride::drawn, false>(), kMapsEditor),
+    option(
+        "--bump", "PATH[:KEY=VALUE]...", kPicture,
+        "Tilt the normals of all surfaces by the slopes of a picture's heights, in Phong shading. Keys: "
+        "height=H of white over black, default 0.05; form=invariant (default: H in repeats of the picture, "
+        "the same at every size of the object) or blinn (H in the model's units); repeat=U,V.",
+        parsed<&MapOverride::bump, parse_bump, bump_text>(), kMapPath),
+    option("--transparency-map", "PATH[:repeat=U,V]", kPicture,
+           "Opacity of all surfaces by a picture's red: black lets all through, white is opaque.",
+           parsed<&MapOverride::transparency, parse_map, map_text>(), kMapPath),
+    option("--specularity-map", "PATH[:repeat=U,V]", kPicture,
+           "Multiply the highlights of all surfaces by a picture.",
+           parsed<&MapOverride::specularity, parse_map, map_text>(), kMapPath),
     option("--environment", "PATH", kPicture,
            "Surroundings for reflections: a folder of six faces (px nx py ny pz nz), a cross (4:3 or 3:4) or "
            "a latitude-longitude picture (2:1), of low or high range; dynamic draws them from each object's "

@@ -69,8 +69,18 @@ std::string combined(const CombineChannel& channel, const std::string& unit, boo
     }
     case CombineFunction::subtract:
       return "(" + a + " - " + b + ")" + scale;
+    case CombineFunction::dot3_rgb:
+    case CombineFunction::dot3_rgba:
+      return "vec3(4.0 * dot(" + a + " - 0.5, " + b + " - 0.5))" + scale;
   }
   return a;
+}
+
+std::string combined_alpha(const raster::CombineState& combine, const std::string& unit) {
+  if (combine.rgb.function != CombineFunction::dot3_rgba) return combined(combine.alpha, unit, true);
+  CombineChannel product = combine.rgb;
+  product.scale = combine.alpha.scale;
+  return "(" + combined(product, unit, false) + ").r";
 }
 
 /// A statement that turns c, the colour so far, into that after the unit.
@@ -85,7 +95,7 @@ std::string environment(const raster::TextureUnit& unit, const std::string& inde
       return "c = vec4(min(c.rgb + " + texel + ".rgb, 1.0), c.a * " + texel + ".a);\n";
     case raster::TextureEnvMode::combine:
       return "c = clamp(vec4(" + combined(unit.combine.rgb, index, false) + ", " +
-             combined(unit.combine.alpha, index, true) + "), 0.0, 1.0);\n";
+             combined_alpha(unit.combine, index) + "), 0.0, 1.0);\n";
     default:
       throw std::runtime_error("the reference programs do not know the texture environments decal and blend");
   }

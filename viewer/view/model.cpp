@@ -4,9 +4,11 @@
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/light_conversion.h"
 #include "pipeline/scene/metering.h"
+#include "pipeline/scene/names.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "viewer/barrido/cost_report.h"
 #include "viewer/barrido/frame_plan.h"
+#include "viewer/barrido/map_spec.h"
 #include "viewer/sheet/view_picture.h"
 #include "viewer/view/render_words.h"
 
@@ -57,6 +59,27 @@ std::shared_ptr<const raster::Texture> Model::environment(const cli::RenderOptio
   return slot;
 }
 
+void Model::add_maps(scene::RenderSettings& settings) {
+  const auto words = [](const scene::RenderSettings& s) {
+    std::string text = std::string(name_of(s.color_management));
+    for (const std::string& path : cli::map_paths(s)) text += '\n' + path;
+    return text;
+  };
+  if (cli::map_paths(settings).empty()) return;
+  const auto [slot, is_new] = maps_.try_emplace(words(settings));
+  scene::MapOverride& loaded = slot->second;
+  if (is_new) {
+    scene::Budget budget(limits_);
+    scene::RenderSettings own = settings;
+    cli::load_maps(own, &budget);
+    loaded = own.maps;
+  }
+  for (auto member :
+       {&scene::MapOverride::bump, &scene::MapOverride::transparency, &scene::MapOverride::specularity}) {
+    if (settings.maps.*member) (settings.maps.*member)->picture = (loaded.*member)->picture;
+  }
+}
+
 int Model::camera_count(const cli::RenderOptions& options) const {
   const int root = scene::resolve_scene_index(*scene_, options.settings.scene_index);
   return static_cast<int>(scene::camera_nodes(*scene_, scene::nodes_of_scene(*scene_, root)).size());
@@ -68,6 +91,7 @@ scene::RenderSettings Model::settings_for(const cli::RenderOptions& wanted) {
   if (!options.environment_path.empty()) {
     settings.environment = environment(options);
   }
+  add_maps(settings);
   const cli::FileFacts facts{path_, camera_count(options), static_cast<int>(scene_->animations.size())};
   return cli::settings_of(settings, cli::plan_frames(options, facts).at(0));
 }

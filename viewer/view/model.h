@@ -70,6 +70,8 @@ class Model {
 
   /// Seconds; 0 when there is no such animation.
   double duration_s(int animation) const;
+  /// Gives the settings the pictures of their maps.
+  void add_maps(scene::RenderSettings& settings);
   int camera_count(const cli::RenderOptions& options) const;
   std::vector<std::string> warnings() const;
 
@@ -84,6 +86,8 @@ class Model {
   /// Never thrown away while the renderer lives: it knows environments by their address.
   std::map<std::pair<std::string, scene::ColorManagement>, std::shared_ptr<const raster::Texture>>
       environments_;
+  /// Maps with their pictures, by the pictures' paths and what colours are.
+  std::map<std::string, scene::MapOverride> maps_;
 };
 
 }  // namespace barrido::view
