@@ -97,13 +97,13 @@ TEST(SceneGenerator, CoversEveryState) {
                                                        {"clamp colors", 2},
                                                        {"colours", 3},
                                                        {"affine", 3},
-                                                       {"unit", 4},
+                                                       {"unit", 8},
                                                        {"kind", 3},
                                                        {"2d filters and format", 24},
                                                        {"cube filters and format", 24},
                                                        {"wraps", 25},
                                                        {"environment", 6},
-                                                       {"combine rgb", 6},
+                                                       {"combine rgb", 8},
                                                        {"combine alpha", 6},
                                                        {"combine source and operand", 16}};
   for (const auto& [what, count] : expected) EXPECT_EQ(seen[what].size(), count) << what;

@@ -21,13 +21,14 @@ TexcoordKind random_unit(RandomBits& random, const TexturePool& textures, int in
   unit.env_mode = random.one_of_first<TextureEnvMode>(6);
   unit.env_color = random.color(0.0f, 1.0f);
   for (CombineChannel* channel : {&unit.combine.rgb, &unit.combine.alpha}) {
-    channel->function = random.one_of_first<CombineFunction>(6);
+    channel->function = random.one_of_first<CombineFunction>(channel == &unit.combine.rgb ? 8 : 6);
     for (std::size_t k = 0; k < 3; ++k) {
       channel->source[k] = random.one_of_first<CombineSource>(4);
       channel->operand[k] = random.one_of_first<CombineOperand>(4);
     }
     channel->scale = random.pick({1.0f, 1.0f, 2.0f, 4.0f});
   }
+  if (random.chance(10)) unit.role = TextureRole::shine;
   if (random.chance(10)) unit.procedure = kind == TexcoordKind::plain ? &kRings2 : &kRings3;
   return kind;
 }
@@ -105,8 +106,24 @@ std::string describe_unit(const FragmentState& state, std::size_t index) {
          " wrap=" + number_of(t.options().wrap_s) + "," + number_of(t.options().wrap_t) +
          " min=" + number_of(unit.min_filter) + " mag=" + number_of(unit.mag_filter) +
          " bias=" + std::to_string(unit.lod_bias) + " env=" + number_of(unit.env_mode) +
-         " combine=" + number_of(unit.combine.rgb.function) + "," + number_of(unit.combine.alpha.function) +
-         "}";
+         " role=" + number_of(unit.role) + " combine=" + number_of(unit.combine.rgb.function) + "," +
+         number_of(unit.combine.alpha.function) + "}";
+}
+
+/// Light, and what may come before it: a normal that is bent, or multiplied by the texels of a unit which is
+/// then that stage's own.
+std::vector<FragmentStage> random_light(RandomBits& random, FragmentState& state) {
+  std::vector<FragmentStage> stages;
+  if (random.chance(50)) stages.push_back({.kind = &kBendNormal});
+  const int unit = random.between(0, kMaxTextureUnits - 1);
+  TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  if (texture.texture != nullptr && random.chance(70)) {
+    texture.role = TextureRole::normal;
+    const int floats = state.varyings.floats(Meaning::texcoord, unit);
+    stages.push_back({.kind = &kBendByTexture, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});
+  }
+  stages.push_back({.kind = &kTestLight});
+  return stages;
 }
 
 }  // namespace
@@ -126,9 +143,7 @@ FragmentState random_state(RandomBits& random, const TexturePool& textures, bool
   state.clamp_colors = random.chance(60);
   random_tests(random, frame_width, frame_height, state);
   if (!opaque) random_output(random, state);
-  static constexpr FragmentStage kLights[] = {{.kind = &kBendNormal}, {.kind = &kTestLight}};
-  const bool bent = lit && random.chance(50);
-  compile_stages(state, std::span(kLights).subspan(bent ? 0 : 1, lit ? (bent ? 2 : 1) : 0));
+  compile_stages(state, lit ? random_light(random, state) : std::vector<FragmentStage>{});
   if (random.chance(10)) state.stages.push_back({.kind = &kInvert});
   return state;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/kernels/kernels.h"
 #include "raster/reference/fragment.h"
+#include "raster/reference/shading.h"
 #include "raster/reference/trace.h"
 #include "raster/tiles/tile.h"
 
@@ -52,6 +54,23 @@ void bend_fragment(const FragmentStage&, reference::Fragment& fragment, referenc
   if (trace != nullptr) trace->notes.push_back({"bent normal x", {x}});
 }
 
+void bend_batch_by_texture(const FragmentStage& stage, TileWorkspace& workspace) {
+  FragmentBatch& batch = workspace.batch;
+  sample_unit(workspace, stage.unit);
+  float(*normal)[kBatchStride] = batch.varying + batch.state->varyings.at(Meaning::normal);
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < batch.count; ++i) normal[c][i] = normal[c][i] * workspace.texel[c][i];
+  }
+}
+
+void bend_fragment_by_texture(const FragmentStage& stage, reference::Fragment& fragment,
+                              reference::ShadingTrace* trace) {
+  const reference::Color texel =
+      reference::unit_texel(fragment, stage.unit, trace != nullptr ? &trace->maps.emplace_back() : nullptr);
+  float* normal = fragment.varying + fragment.state->varyings.at(Meaning::normal);
+  for (std::size_t c = 0; c < 3; ++c) normal[c] = normal[c] * texel[c];
+}
+
 void invert_batch(const FragmentStage&, TileWorkspace& workspace) {
   for (int c = 0; c < 3; ++c) {
     float* color = workspace.batch.color[c];
@@ -93,6 +112,13 @@ constinit const StageKind kBendNormal{.name = "bend",
                                       .scalar = bend_fragment,
                                       .story = "bends the normal",
                                       .clock = Stage::illumination};
+
+constinit const StageKind kBendByTexture{.name = "bend by texture",
+                                         .reads = set_of(Meaning::normal, Meaning::texcoord),
+                                         .writes = set_of(Meaning::normal),
+                                         .vector = bend_batch_by_texture,
+                                         .scalar = bend_fragment_by_texture,
+                                         .story = "multiplies the normal by a texel"};
 
 constinit const StageKind kTestLight{.name = "test light",
                                      .reads = set_of(Meaning::normal),

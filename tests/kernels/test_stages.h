@@ -6,9 +6,10 @@
 
 namespace barrido::raster::testing {
 
-extern const StageKind kBendNormal;  ///< Before light.
-extern const StageKind kTestLight;   ///< Colours from the normal and the facing.
-extern const StageKind kInvert;      ///< After fog: 1 − colour.
+extern const StageKind kBendNormal;     ///< Before light.
+extern const StageKind kBendByTexture;  ///< Before light, by the texels of a unit of its own.
+extern const StageKind kTestLight;      ///< Colours from the normal and the facing.
+extern const StageKind kInvert;         ///< After fog: 1 − colour.
 
 /// Rings around the origin of 2 or of 3 coordinates.
 extern const TextureProcedure kRings2, kRings3;

@@ -92,6 +92,20 @@ Mesh sphere(RandomBits& random, int slices) {
   return mesh;
 }
 
+void add_tangents(RandomBits& random, Mesh& mesh, bool with_bitangents) {
+  const float sign = random.chance(50) ? 1.0f : -1.0f;
+  for (const glm::vec3& n : mesh.normal) {
+    // Across the normal, roughly along x.
+    const glm::dvec3 along =
+        glm::dvec3(1.0, 0.1, 0.2) - glm::dvec3(n) * static_cast<double>(n.x + 0.1f * n.y + 0.2f * n.z);
+    const glm::vec3 t = unit(along);
+    const glm::vec3 b{n.y * t.z - n.z * t.y, n.z * t.x - n.x * t.z, n.x * t.y - n.y * t.x};
+    const float u = with_bitangents ? random.number(0.5f, 2.0f) : 1.0f;
+    mesh.tangent.emplace_back(t * u, sign);
+    if (with_bitangents) mesh.bitangent.push_back(b * sign * random.number(0.5f, 2.0f));
+  }
+}
+
 Mesh in_mode(RandomBits& random, PrimitiveMode mode) {
   Mesh mesh;
   mesh.mode = mode;

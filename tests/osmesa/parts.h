@@ -13,6 +13,8 @@ Mesh soup(RandomBits& random, int triangles, float spread);
 Mesh bent_plane(RandomBits& random, int cells, float bump, float texture_scale);
 /// A closed sphere; the outside is counter-clockwise.
 Mesh sphere(RandomBits& random, int slices);
+/// Gives the mesh tangents and, where asked for, bitangents of its own.
+void add_tangents(RandomBits& random, Mesh& mesh, bool with_bitangents);
 /// Planar polygons in one of OpenGL's modes, indexed or not.
 Mesh in_mode(RandomBits& random, pipeline::PrimitiveMode mode);
 /// Points or lines scattered over the box.
@@ -51,6 +53,7 @@ void generate_texture_env_combine(RandomBits& random, raster::TextureUnit& unit)
 std::span<const Feature> geometry_features();
 std::span<const Feature> lighting_features();
 std::span<const Feature> texture_features();
+std::span<const Feature> map_features();
 std::span<const Feature> fragment_features();
 
 }  // namespace barrido::crosscheck

@@ -21,6 +21,8 @@ pipeline::Geometry Mesh::geometry() const {
   g.vertex_count = static_cast<std::uint32_t>(position.size());
   g.position = view(position, position_components);
   g.normal = view(normal, 3);
+  g.tangent = view(tangent, 4);
+  g.bitangent = view(bitangent, 3);
   g.color = view(color, 4);
   for (std::size_t unit = 0; unit < texcoord.size(); ++unit) {
     g.texcoord[unit] = view(texcoord[unit], texcoord_components[unit]);

@@ -21,6 +21,8 @@ struct Mesh {
   std::vector<glm::vec4> position;
   int position_components = 3;
   std::vector<glm::vec3> normal;
+  std::vector<glm::vec4> tangent;  ///< w: orientation of the bitangent, where that is absent
+  std::vector<glm::vec3> bitangent;
   std::vector<glm::vec4> color;
   std::array<std::vector<glm::vec4>, 2> texcoord;
   std::array<int, 2> texcoord_components{2, 2};

@@ -27,7 +27,12 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
   const bool at_vertices = lit && !mode.lit.at_fragments;
   const bool flat = lit && mode.lit.flat;
   const bool is_opengl_model = mode.formula == pipeline::kCourseModel;
+  const bool shines_by_map = std::any_of(
+      state.texture_units.begin(), state.texture_units.end(), [](const raster::TextureUnit& unit) {
+        return unit.texture != nullptr && unit.role == raster::TextureRole::shine;
+      });
   return {
+      {at_vertices && shines_by_map && lighting.separate_specular, "specularity maps at vertices"},
       {lit && lighting.lights.size() > kGlLights, "lights after the eighth"},
       {lit && has_light(lighting, is_soft), "soft cones of light"},
       {lit && has_light(lighting, [](const pipeline::Light& light) { return light.range > 0.0f; }),

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "viewer/osmesa/gl_map_stages.h"
 #include "viewer/osmesa/gl_state.h"
 
 namespace barrido::osmesa {
@@ -107,6 +108,7 @@ void draw(const pipeline::State& state, const pipeline::Geometry& geometry, cons
   pipeline::Geometry complete = geometry;
   if (!colors.empty()) complete.color = {glm::value_ptr(colors[0]), 4, 4};
   set_arrays(complete);
+  set_tangents(state, complete);
   draw_arrays(complete);
   check_error("a draw");
 }

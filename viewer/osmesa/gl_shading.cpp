@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "viewer/osmesa/gl_map_stages.h"
 #include "viewer/osmesa/gl_state.h"
 #include "viewer/osmesa/gl_texture_stages.h"
 
@@ -56,6 +57,7 @@ void main() {
   normal = gl_NormalMatrix * gl_Normal;
   position = vec3(gl_ModelViewMatrix * gl_Vertex);
   color = gl_Color;
+  make_tangents();
   make_texture_coordinates(normalize(normal), position);
 }
 )";
@@ -65,9 +67,10 @@ varying vec3 normal; varying vec3 position; varying vec4 color;
 void main() {
   bool back = TWO_SIDED && !gl_FrontFacing;
   gl_MaterialParameters m = tracked(material(back), color);
-  vec3 n = normalize(normal);
+  vec3 n = normalize(mapped(normal));
   if (back) n = -n;
   vec3 v = to_viewer(position);
+  m.ambient.rgb *= unoccluded();
   vec3 primary = m.emission.rgb + m.ambient.rgb * gl_LightModel.ambient.rgb;
   vec3 secondary = vec3(0.0);
   for (int i = 0; i < LIGHTS; ++i) {
@@ -121,7 +124,8 @@ varying vec4 color; varying vec4 dots[LIGHTS]; varying vec3 ambient_front; varyi
 void main() {
   bool back = TWO_SIDED && !gl_FrontFacing;
   gl_MaterialParameters m = tracked(material(back), color);
-  vec3 c = m.emission.rgb + m.ambient.rgb * gl_LightModel.ambient.rgb + (back ? ambient_back : ambient_front);
+  vec3 c = m.emission.rgb + unoccluded() * (m.ambient.rgb * gl_LightModel.ambient.rgb
+                                            + (back ? ambient_back : ambient_front));
   vec3 secondary = vec3(0.0);
   for (int i = 0; i < LIGHTS; ++i) {
     vec2 at = back ? dots[i].zw : dots[i].xy;
@@ -183,17 +187,20 @@ std::string program_key(const pipeline::State& state, bool has_colors) {
         has_colors ? static_cast<int>(lighting.color_material) : 0}) {
     key += std::to_string(part) + ' ';
   }
-  return key + vertex_texture_stages(state) + fragment_texture_stages(state);
+  return key + vertex_texture_stages(state) + fragment_texture_stages(state) + vertex_map_stages(state) +
+         fragment_map_stages(state);
 }
 
 GLuint make_program(const pipeline::State& state, bool has_vertex_colors) {
   const bool phong = !pipeline::shading_mode(state.shade_model).lit.at_vertices;
   const std::string head = definitions(state, has_vertex_colors);
   const GLuint program = gl().CreateProgram();
-  attach(program, GL_VERTEX_SHADER,
-         head + vertex_texture_stages(state) + (phong ? kPhongVertex : kCheapVertex));
+  attach(
+      program, GL_VERTEX_SHADER,
+      head + vertex_texture_stages(state) + vertex_map_stages(state) + (phong ? kPhongVertex : kCheapVertex));
   attach(program, GL_FRAGMENT_SHADER,
-         head + fragment_texture_stages(state) + (phong ? kPhongFragment : kCheapFragment));
+         head + fragment_texture_stages(state) + fragment_map_stages(state) +
+             (phong ? kPhongFragment : kCheapFragment));
   gl().LinkProgram(program);
   GLint linked = 0;
   gl().GetProgramiv(program, GL_LINK_STATUS, &linked);

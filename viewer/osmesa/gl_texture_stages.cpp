@@ -127,21 +127,21 @@ std::string fragment_texture_stages(const pipeline::State& state) {
   std::string samplers, fetches, stages;
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     const raster::TextureUnit& unit = state.texture_units[i];
-    if (unit.texture == nullptr) continue;
+    const bool is_shine = unit.role == raster::TextureRole::shine;
+    if (unit.texture == nullptr || !(is_shine || unit.role == raster::TextureRole::environment)) continue;
     const std::string index = std::to_string(i);
     const bool cube = unit.texture->is_cube();
     samplers += std::string("uniform ") + (cube ? "samplerCube" : "sampler2D") + " tex" + index + ";\n";
     fetches += "  vec4 t" + index + " = " + (cube ? "textureCube" : "texture2DProj") + "(tex" + index +
                ", gl_TexCoord[" + index + "]" + (cube ? ".xyz" : "") + ");\n";
-    stages += "  " + environment(unit, index);
+    stages += "  " + (is_shine ? "secondary *= t" + index + ".rgb;\n" : environment(unit, index));
   }
   const bool separate = state.lighting.separate_specular && is_textured(state);
   return samplers + "vec4 finish(vec4 primary, vec3 secondary) {\n" +
-         (separate ? "  vec4 c = clamp(primary, 0.0, 1.0);\n"
+         (separate ? "  vec4 c = clamp(primary, 0.0, 1.0);\n  secondary = clamp(secondary, 0.0, 1.0);\n"
                    : "  vec4 c = clamp(vec4(primary.rgb + secondary, primary.a), 0.0, 1.0);\n") +
          "  vec4 first = c;\n" + fetches + stages +
-         (separate ? "  c.rgb = clamp(c.rgb + clamp(secondary, 0.0, 1.0), 0.0, 1.0);\n" : "") +
-         "  return c;\n}\n";
+         (separate ? "  c.rgb = clamp(c.rgb + secondary, 0.0, 1.0);\n" : "") + "  return c;\n}\n";
 }
 
 void set_samplers(unsigned program, const pipeline::State& state) {

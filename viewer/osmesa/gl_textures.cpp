@@ -131,13 +131,14 @@ void set_texture_units(const pipeline::State& state, const Textures& textures) {
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     const raster::TextureUnit& unit = state.texture_units[i];
     if (unit.texture == nullptr) continue;
+    const bool is_map = unit.role != raster::TextureRole::environment;  // of programs alone
     const GLenum target = target_of(*unit.texture);
     gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
     gl().BindTexture(target, textures.name_of(unit.texture));
     gl().TexParameteri(target, GL_TEXTURE_MIN_FILTER, constant(kMinFilter, unit.min_filter));
     gl().TexParameteri(target, GL_TEXTURE_MAG_FILTER,
                        unit.mag_filter == raster::MagFilter::linear ? GL_LINEAR : GL_NEAREST);
-    gl().Enable(target);
+    if (!is_map) gl().Enable(target);
     if (unit.texture->is_cube()) set_seams(*unit.texture);
     set_environment(unit);
     set_coordinates(state.texture_coordinates[i]);
