@@ -58,11 +58,33 @@ SceneFile make_brick_torus(const Bytes& picture) {
   return {"torus.glb", writer.bytes()};
 }
 
+/// The same bricks standing out of their mortar, by maps alone.
+SceneFile make_relief_torus(const Textures& textures) {
+  GlbWriter writer("Torus of bricks with maps of normals, occlusion and highlights");
+  const auto texture = [&](const char* name) {
+    return Json{{"index", writer.add_texture(name, textures.at(name))}};
+  };
+  Json material{{"name", "bricks"}};
+  material["pbrMetallicRoughness"] = {
+      {"baseColorTexture", texture("bricks")}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.45}};
+  material["normalTexture"] = texture("brick_normals");
+  material["occlusionTexture"] = texture("brick_occlusion");
+  material["extensions"]["KHR_materials_specular"]["specularColorTexture"] = texture("brick_shine");
+  writer.declare_extension("KHR_materials_specular");
+  const int mesh = writer.add_mesh("torus", make_torus(1.0, 0.42, 64, 32, {6, 3}),
+                                   writer.add_material(std::move(material)));
+  writer.add_node({{"name", "torus"}, {"mesh", mesh}});
+  add_camera(writer, {{0, 3.2, 4.4}, {0, -0.05, 0}, 0.30, 0.5, 50.0});
+  add_sun(writer, "key", {-4.0, 3.0, 3.0}, {1.0, 0.97, 0.92}, 2.6);
+  writer.set_scene_extras({{"ambient", json_of({0.25, 0.25, 0.28})}});
+  return {"relief.glb", writer.bytes()};
+}
+
 }  // namespace
 
 std::vector<SceneFile> make_object_scenes(const Textures& textures, int teapot_cells) {
   return {make_plain_teapot(teapot_cells), make_patch_teapot(textures.at("patch"), teapot_cells),
-          make_lit_sphere(), make_brick_torus(textures.at("bricks"))};
+          make_lit_sphere(), make_brick_torus(textures.at("bricks")), make_relief_torus(textures)};
 }
 
 }  // namespace barrido::models

@@ -38,6 +38,23 @@ double distance_to_line(double s, int squares) {
   return std::min(f, 1.0 - f);
 }
 
+/// A place among bricks in running bond.
+struct Brick {
+  double edge;  ///< Distance from the brick's edge, where 1 is the picture.
+  double tone;  ///< A random number of the brick, 0 to 1.
+};
+
+Brick brick_at(double s, double t) {
+  constexpr int kColumns = 4;
+  constexpr int kRows = 8;
+  const double row = std::floor(t * kRows);
+  const double x = s * kColumns + (fraction(row * 0.5) > 0.25 ? 0.5 : 0.0);
+  const double edge_x = std::min(fraction(x), 1.0 - fraction(x)) / kColumns;
+  const double edge_y = std::min(fraction(t * kRows), 1.0 - fraction(t * kRows)) / kRows;
+  const double column = std::floor(x) - (x >= kColumns ? kColumns : 0);
+  return {std::min(edge_x, edge_y), value_noise(column * 7.31 + 0.37, row * 3.77 + 0.61)};
+}
+
 }  // namespace
 
 void append_pixel(Picture& picture, const Vec3& color) {
@@ -75,21 +92,55 @@ Picture draw_patch(int size) {
 }
 
 Picture draw_bricks(int size) {
-  constexpr int kColumns = 4;
-  constexpr int kRows = 8;
   return draw(size, [](double s, double t) {
-    const double row = std::floor(t * kRows);
-    const double x = s * kColumns + (fraction(row * 0.5) > 0.25 ? 0.5 : 0.0);
-    const double edge_x = std::min(fraction(x), 1.0 - fraction(x)) / kColumns;
-    const double edge_y = std::min(fraction(t * kRows), 1.0 - fraction(t * kRows)) / kRows;
-    const double brick = smooth_step(0.006, 0.012, std::min(edge_x, edge_y));
-    const double column = std::floor(x) - (x >= kColumns ? kColumns : 0);
-    const double tone = value_noise(column * 7.31 + 0.37, row * 3.77 + 0.61);
+    const auto [edge, tone] = brick_at(s, t);
+    const double brick = smooth_step(0.006, 0.012, edge);
     // Grain in a few steps: fine noise in full depth would not compress.
     const double grain = std::floor(turbulence(s * 32, t * 32, 2, 32) * 6) / 6 - 0.5;
     const Vec3 brick_color = lerp(Vec3(0.52, 0.22, 0.16), Vec3(0.74, 0.40, 0.27), tone) + Vec3(0.10 * grain);
     const Vec3 mortar = Vec3(0.72, 0.69, 0.64) + Vec3(0.08 * grain);
     return lerp(mortar, brick_color, brick);
+  });
+}
+
+Picture draw_brick_heights(int size) {
+  return draw(size, [](double s, double t) {
+    const auto [edge, tone] = brick_at(s, t);
+    const double grain = turbulence(s * 16, t * 16, 2, 16);
+    return Vec3(smooth_step(0.003, 0.02, edge) * (0.75 + 0.15 * tone) + 0.1 * grain);
+  });
+}
+
+Picture draw_normals(const Picture& heights, double height) {
+  const int size = heights.width;
+  const auto at = [&](int x, int y) {
+    const int column = (x + size) % size, row = (y + size) % size;
+    return heights.rgb[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(size) +
+                            static_cast<std::size_t>(column))] /
+           255.0;
+  };
+  Picture normals{size, size, {}};
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const double along_s = (at(x + 1, y) - at(x - 1, y)) * 0.5 * size * height;
+      const double along_t = (at(x, y + 1) - at(x, y - 1)) * 0.5 * size * height;
+      const double length = std::sqrt(along_s * along_s + along_t * along_t + 1.0);
+      append_pixel(normals, Vec3(-along_s, along_t, 1.0) / length * 0.5 + Vec3(0.5));
+    }
+  }
+  return normals;
+}
+
+Picture draw_brick_occlusion(int size) {
+  return draw(size, [](double s, double t) {
+    return Vec3(0.3 + 0.7 * smooth_step(0.0, 0.03, brick_at(s, t).edge), 0, 0);
+  });
+}
+
+Picture draw_brick_shine(int size) {
+  return draw(size, [](double s, double t) {
+    const auto [edge, tone] = brick_at(s, t);
+    return Vec3(smooth_step(0.006, 0.012, edge) * (0.4 + 0.6 * tone));
   });
 }
 

@@ -20,6 +20,20 @@ Picture draw_patch(int size);
 /// Bricks in running bond with mortar; tiles without seams.
 Picture draw_bricks(int size);
 
+/// Heights of the same bricks over their mortar, grey.
+Picture draw_brick_heights(int size);
+
+/// Normals in tangent space of a picture of heights that repeats, white standing `height` of the picture's
+/// own width over black (glTF 2.0, section 3.9.3: x along s, y against t). Slopes are taken over a texel to
+/// either side.
+Picture draw_normals(const Picture& heights, double height);
+
+/// Red: how much of the light from all sides reaches the bricks and the bottom of their joints.
+Picture draw_brick_occlusion(int size);
+
+/// How much bricks and mortar shine, grey.
+Picture draw_brick_shine(int size);
+
 /// Marble after Perlin (1985): a sine of the position bent by turbulence; tiles without seams.
 Picture draw_marble(int size);
 

@@ -10,7 +10,7 @@ namespace barrido::models {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// PNG files by name: "checker", "patch", "bricks", "marble".
+/// PNG files by name: "checker", "patch", "bricks", "marble", "brick_heights" …
 using Textures = std::map<std::string, Bytes>;
 
 struct SceneFile {

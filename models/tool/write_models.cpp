@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kPictureSize = 256;
 constexpr int kSkySize = 512;
+constexpr double kBrickHeight = 0.02;  ///< Of bricks over mortar, in widths of the picture.
 
 Textures write_textures(const WriteOptions& options) {
   Textures textures;
@@ -24,6 +25,11 @@ Textures write_textures(const WriteOptions& options) {
   add("patch", draw_patch(kPictureSize));
   add("bricks", draw_bricks(kPictureSize));
   add("marble", draw_marble(kPictureSize));
+  const Picture heights = draw_brick_heights(kPictureSize);
+  add("brick_heights", heights);
+  add("brick_normals", draw_normals(heights, kBrickHeight));
+  add("brick_occlusion", draw_brick_occlusion(kPictureSize));
+  add("brick_shine", draw_brick_shine(kPictureSize));
   return textures;
 }
 

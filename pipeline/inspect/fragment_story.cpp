@@ -58,6 +58,17 @@ std::string image_of(const FragmentContext& context, const FragmentStory& story,
   return name_at(context.scene.textures[static_cast<std::size_t>(texture)].image, context.scene.images);
 }
 
+/// The file's picture of a map; empty where it may be the user's.
+std::string map_of(const FragmentContext& context, const FragmentStory& story, raster::TextureRole role) {
+  if (story.material == scene::kNone) return {};
+  const scene::Material& material = context.scene.materials[static_cast<std::size_t>(story.material)];
+  const int texture = role == raster::TextureRole::normal      ? material.normal_texture.texture
+                      : role == raster::TextureRole::occlusion ? material.occlusion_texture.texture
+                                                               : scene::kNone;
+  if (texture == scene::kNone) return {};
+  return name_at(context.scene.textures[static_cast<std::size_t>(texture)].image, context.scene.images);
+}
+
 TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& draw,
                           const FragmentStory& story, std::size_t unit) {
   const raster::TextureUnit& state = draw.plan->fragment.texture_units[unit];
@@ -70,6 +81,11 @@ TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& d
   texture.width = state.texture->width();
   texture.height = state.texture->height();
   texture.levels = state.texture->level_count();
+  if (state.role != raster::TextureRole::environment) {
+    texture.role = name_of(state.role);
+    texture.image = map_of(context, story, state.role);
+    return texture;
+  }
   texture.role = texture.cube                                        ? "environment"
                  : state.env_mode == raster::TextureEnvMode::combine ? "constant"
                  : state.env_mode == raster::TextureEnvMode::add     ? "emission"
@@ -102,6 +118,15 @@ SurfacePoint point_of(const AssembledDraw& draw, const raster::reference::Fragme
   take(Meaning::normal, point.normal);
   take(Meaning::eye_position, point.position);
   take(Meaning::color, point.color);
+  const std::vector<float>& mapped = trace.shading.varyings;
+  const raster::VaryingList& list = draw.plan->fragment.varyings;
+  if (mapped.empty()) return point;
+  for (int axis = 0; axis < 3 && list.has(Meaning::normal); ++axis) {
+    point.normal[axis] = mapped[static_cast<std::size_t>(list.at(Meaning::normal) + axis)];
+  }
+  if (list.has(Meaning::occlusion)) {
+    point.occlusion = {mapped.data() + list.at(Meaning::occlusion), 1};
+  }
   return point;
 }
 
@@ -186,6 +211,9 @@ FragmentStory tell_fragment(const FragmentContext& context, const FrameChunk& pl
   story.corners = tell_corners(context, place, primitive, source);
   for (const raster::reference::UnitTrace& unit : trace.shading.units) {
     story.textures.push_back(tell_texture(context, *place.draw, story, static_cast<std::size_t>(unit.unit)));
+  }
+  for (const raster::reference::UnitTrace& map : trace.shading.maps) {
+    story.maps.push_back(tell_texture(context, *place.draw, story, static_cast<std::size_t>(map.unit)));
   }
   story.state = *chunk.state;
   story.state.stages.clear();  // they point into the draw

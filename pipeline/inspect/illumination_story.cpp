@@ -34,7 +34,7 @@ Rgb rgb(const glm::vec3& c) { return {c.r, c.g, c.b}; }
 Illumination isolated(const Illumination& whole, int light) {
   Illumination one = whole;
   one.separate_specular = true;
-  one.base = kNoProducts;
+  one.base = one.emission = kNoProducts;
   one.lights.clear();
   if (light >= 0) one.lights.push_back(whole.lights[static_cast<std::size_t>(light)]);
   return one;
@@ -159,6 +159,7 @@ IlluminationStory explain_illumination(const Illumination& illumination, const S
   measure_shares(illumination, evaluate, story);
   Illumination base = isolated(illumination, -1);
   base.base = illumination.base;
+  base.emission = illumination.emission;
   story.base = rgb(evaluate(base, -1).primary);
   for (std::size_t i = 0; i < illumination.lights.size(); ++i) {
     const IlluminatingLight& light = illumination.lights[i];
@@ -207,6 +208,7 @@ IlluminationStory explain_products(const Illumination& illumination, std::span<c
   Illumination base = isolated(illumination, -1);
   story.interpolated_ambient = rgb(model(base, dots.subspan(2 * lights)).primary);
   base.base = illumination.base;
+  base.emission = illumination.emission;
   story.base = rgb(model(base, {}).primary);
   add_up(illumination, evaluate(illumination, -1), story);
   return story;

@@ -85,7 +85,8 @@ struct CornerStory {
 
 /// The picture behind a texture unit; one for each of FragmentTrace::shading.units.
 struct TextureStory {
-  std::string role;   ///< "base color", "environment", "emission" or "constant"; or a procedure's name.
+  /// "base color", "environment", "emission" or "constant"; a procedure's name; of maps their role.
+  std::string role;
   std::string image;  ///< Name of the picture in the file; empty where there is none.
   bool cube = false;
   int width = 0, height = 0, levels = 0;
@@ -113,6 +114,7 @@ struct FragmentStory {
   std::string_view shading;     ///< Name of the pipeline::ColorOrigin.
   raster::FragmentState state;  ///< Without textures and stages.
   std::vector<TextureStory> textures;
+  std::vector<TextureStory> maps;  ///< One for each of FragmentTrace::shading.maps.
   std::vector<CornerStory> corners;
   std::vector<IlluminationStory> illuminations;    ///< Phong 1, Gouraud and cheap Phong one a corner, flat 1.
   std::optional<IlluminationStory> from_products;  ///< Cheap Phong: the model from interpolated products.

@@ -179,6 +179,19 @@ Json fragment_json(const FragmentStory& f) {
   const raster::reference::ShadingTrace& shading = f.trace.shading;
   json["primary"] = list(shading.lit_primary);
   json["secondary"] = list(shading.lit_secondary);
+  for (std::size_t i = 0; i < f.maps.size(); ++i) {
+    const UnitTrace& map = shading.maps[i];
+    const raster::TextureUnit& state = f.state.texture_units[static_cast<std::size_t>(map.unit)];
+    Json entry{{"unit", map.unit},
+               {"role", name_of(state.role)},
+               {"image", f.maps[i].image},
+               {"size", {f.maps[i].width, f.maps[i].height}},
+               {"strength", state.strength},
+               {"coordinates", map.coordinates},
+               {"texel", list(map.sample.color)}};
+    for (const auto& note : map.notes) entry["notes"][std::string(note.name)] = note.values;
+    json["maps"].push_back(std::move(entry));
+  }
   json["textures"] = Json::array();
   for (std::size_t i = 0; i < shading.units.size(); ++i) {
     const auto unit = static_cast<std::size_t>(shading.units[i].unit);

@@ -191,6 +191,24 @@ void tell_unit(const UnitTrace& unit, const TextureStory& texture, const raster:
   lines.add(2, "= " + tuple(unit.color));
 }
 
+/// Maps with stages of their own; what they made of their texels stands in the notes.
+void tell_maps(const FragmentStory& f, Lines& lines) {
+  for (std::size_t i = 0; i < f.maps.size(); ++i) {
+    const UnitTrace& map = f.trace.shading.maps[i];
+    const raster::TextureUnit& state = f.state.texture_units[static_cast<std::size_t>(map.unit)];
+    const TextureStory& texture = f.maps[i];
+    if (state.procedure != nullptr) {
+      lines.add(1, "Unit " + std::to_string(map.unit) + ", " + std::string(name_of(state.role)) + " by " +
+                       texture.role + ": " + std::string(state.procedure->story));
+    } else {
+      lines.add(1, texture_words(map, texture, state));
+      tell_sample(map, texture, lines);
+    }
+    lines.add(2, "texel " + tuple(map.sample.color) + ", strength " + number(state.strength));
+    tell_notes(map.notes, 2, lines);
+  }
+}
+
 void tell_combination(const FragmentStory& f, Lines& lines) {
   const ShadingTrace& shading = f.trace.shading;
   for (std::size_t i = 0; i < shading.units.size(); ++i) {
@@ -214,6 +232,7 @@ void tell_combination(const FragmentStory& f, Lines& lines) {
 void tell_shading(const PixelStory& pixel, const FragmentStory& f, Lines& lines) {
   tell_corners(f, lines);
   tell_span(f, pixel.x, lines);
+  tell_maps(f, lines);
   for (const IlluminationStory& story : f.illuminations) {
     tell_illumination(story, pixel.lighting, &story == f.illuminations.data(), lines);
   }

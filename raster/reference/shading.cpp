@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "raster/base/portable_math.h"
 #include "raster/reference/sampling.h"
@@ -127,7 +128,9 @@ void apply_fog(const FragmentStage&, Fragment& fragment, ShadingTrace* trace) {
 
 Color shade_fragment(Fragment& fragment, ShadingTrace* trace) {
   for (const FragmentStage& stage : fragment.state->stages) stage.kind->scalar(stage, fragment, trace);
-  if (trace != nullptr) trace->color = fragment.color;
+  if (trace == nullptr) return fragment.color;
+  trace->color = fragment.color;
+  if (!trace->maps.empty()) trace->varyings.assign(std::begin(fragment.varying), std::end(fragment.varying));
   return fragment.color;
 }
 

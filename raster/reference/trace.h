@@ -81,6 +81,8 @@ struct ShadingTrace {
   std::optional<FogTrace> fog;
   Color color{};
   std::vector<Note> notes;  ///< Of stages that have no record of their own.
+  /// Where there are maps: the fragment's varyings and what stages made of them and beside them.
+  std::vector<float> varyings;
 };
 
 /// What the tests and the frame did with a fragment. Later stages are not reached by fragments that fail.

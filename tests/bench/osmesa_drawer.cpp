@@ -4,6 +4,7 @@
 
 #include "tests/bench/peer.h"
 #include "viewer/osmesa/context.h"
+#include "viewer/osmesa/gl_map_stages.h"
 #include "viewer/osmesa/gl_state.h"
 
 namespace barrido::bench {
@@ -50,6 +51,7 @@ class OsmesaDrawer final : public Drawer {
       if (!states_.empty()) gl().CallList(states_[i]);
       gl().UseProgram(programs_[i]);
       osmesa::set_arrays(geometry_[i]);
+      osmesa::set_tangents(scene_.draws[i].state, geometry_[i]);
       osmesa::draw_arrays(geometry_[i]);
     }
     gl().Finish();

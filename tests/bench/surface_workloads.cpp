@@ -72,6 +72,30 @@ void light(pipeline::State& state, int lights) {
   m.shininess = 32.0f;
 }
 
+/// Normals of egg-box bumps, `side`² texels, eight bumps along each side.
+raster::Texture bumpy_normals(int side) {
+  std::vector<std::uint8_t> rgba;
+  const auto byte = [](double value) {
+    return static_cast<std::uint8_t>(std::lround(127.5 * value + 127.5));
+  };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const glm::dvec2 u = on_circle(8.0 * x / side), v = on_circle(8.0 * y / side);
+      const glm::dvec3 n = glm::normalize(glm::dvec3(0.5 * u.y * v.x, 0.5 * u.x * v.y, 1.0));
+      rgba.insert(rgba.end(), {byte(n.x), byte(n.y), byte(n.z), 255});
+    }
+  }
+  return raster::Texture::make_2d({side, side, rgba}, {});
+}
+
+void add_normal_map(ScenePair& scene, int side) {
+  scene.textures.push_back(std::make_unique<raster::Texture>(bumpy_normals(side)));
+  raster::TextureUnit& unit = scene.draws.back().state.texture_units[0];
+  unit.role = raster::TextureRole::normal;
+  unit.texture = scene.textures.back().get();
+  unit.min_filter = raster::MinFilter::linear_mipmap_linear;
+}
+
 }  // namespace
 
 ScenePair reflecting_grid(const Scale& scale, raster::MinFilter min_filter) {
@@ -141,8 +165,13 @@ ScenePair ellipsoid(const Scale& scale, const EllipsoidOptions& options) {
       const glm::dvec3 unit = tilt * glm::dvec3(down.y * around.y, down.x, down.y * around.x);
       draw.mesh.position.emplace_back(unit * radii, 1.0);
       draw.mesh.normal.emplace_back(glm::normalize(unit / radii));
+      if (options.normal_map_side == 0) continue;
+      const glm::dvec3 along = glm::normalize(tilt * glm::dvec3(around.x, 0.0, -around.y) * radii);
+      draw.mesh.tangent.emplace_back(along, 1.0);
+      draw.mesh.texcoord[0].emplace_back(2.0 * slice / options.slices, 1.0 * stack / options.stacks, 0, 1);
     }
   }
+  if (options.normal_map_side != 0) add_normal_map(scene, options.normal_map_side);
   // Rows run downwards, so the grid's triangles face inwards: turn them. At the poles one of two is a
   // point's.
   const std::vector<std::uint32_t> inwards = grid_triangles(options.slices, options.stacks);

@@ -29,6 +29,7 @@ GroundOptions front_to_back(GroundOptions options) {
 constexpr EllipsoidOptions kMillion{1000, 501, 0.98};
 constexpr EllipsoidOptions kBunny{265, 133, 0.874};
 constexpr EllipsoidOptions kBunnyPhong{265, 133, 0.874, pipeline::ShadeModel::phong};
+constexpr EllipsoidOptions kBunnyBumps{265, 133, 0.874, pipeline::ShadeModel::phong, 1, 1024};
 
 }  // namespace
 
@@ -58,6 +59,8 @@ const std::vector<Workload>& workloads() {
        [](S s) { return screen_layers(s, 8, Coloring::smooth, true); }},
       {"W16", "8 grounds, trilinear, front first", kOther,
        [](S s) { return ground_layers(s, front_to_back(ground(kTrilinear))); }},
+      {"W17", "69,960 triangles, normal map", kOther, [](S s) { return ellipsoid(s, kBunnyBumps); },
+       Unit::triangles},
   };
   return all;
 }

@@ -1,4 +1,4 @@
-// The workloads W1 to W16 that speed is measured with: scenes of 1920 × 1080 pixels, each of which stresses
+// The workloads W1 to W17 that speed is measured with: scenes of 1920 × 1080 pixels, each of which stresses
 // one part of the pipeline. Only plain data; knows neither renderer and no clock.
 #pragma once
 
@@ -60,6 +60,7 @@ struct EllipsoidOptions {
   double silhouette = 0.874;  ///< Of half the frame's height and width.
   pipeline::ShadeModel shading = pipeline::ShadeModel::gouraud;
   int lights = 1;
+  int normal_map_side = 0;  ///< Texels; 0: none.
 };
 /// A lit ellipsoid with culled back faces.
 ScenePair ellipsoid(const Scale& scale, const EllipsoidOptions& options);
