@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "drawn.h"
+#include "pipeline/reference/illumination.h"
 #include "pipeline/reference/map_stages.h"
 #include "pipeline/reference/vertices.h"
 #include "random.h"
@@ -219,7 +220,8 @@ TEST(MapStages, NormalsCannotBeChangedWithoutTangents) {
   Random random(3);
   const raster::Texture picture = random_picture(random);
   State state = lit_state();
-  state.texture_units[0] = {.role = TextureRole::normal, .texture = &picture};
+  state.texture_units[0].role = TextureRole::normal;
+  state.texture_units[0].texture = &picture;
   EXPECT_THROW(Drawn(state, geometry_of(kTriangle)), std::invalid_argument);
   state.shade_model = ShadeModel::gouraud;  // which has no use for them
   EXPECT_NO_THROW(Drawn(state, geometry_of(kTriangle)));

@@ -171,8 +171,8 @@ TEST(ImportImages, OnlyThoseThatAreUsedAreRead) {
   EXPECT_EQ(scene.images[1].width, 0);
 
   model.document["materials"][0]["normalTexture"] = {{"index", 1}};
-  // Nothing is drawn with a normal texture.
-  EXPECT_EQ(model.import().warnings, std::vector<std::string>{"of materials, ignored: normal texture"});
+  EXPECT_EQ(model.import().warnings,
+            std::vector<std::string>{"images[1] (missing.png): no such file; drawn without this picture"});
   model.document["materials"][0].erase("normalTexture");
   model.document["materials"][0]["emissiveTexture"] = {{"index", 1}};
   EXPECT_EQ(model.import().warnings,
