@@ -51,6 +51,10 @@ raster::Scissor scissor_of(const State& state, const Viewport& viewport, FrameSi
 raster::FragmentState fragment_state(const State& state) {
   raster::FragmentState f;
   f.texture_units = state.texture_units;
+  for (raster::TextureUnit& unit : f.texture_units) {
+    unit.strength = bounded(unit.strength);
+    if (unit.role == raster::TextureRole::occlusion) unit.strength = std::clamp(unit.strength, 0.0f, 1.0f);
+  }
   f.clamp_colors = state.clamp_colors;
   f.fog = state.fog;
   f.alpha_test = state.alpha_test;
@@ -217,7 +221,11 @@ void DrawPlan::plan_tangents(const State& state, const Geometry& geometry) {
     const bool tilts = role == raster::TextureRole::normal || role == raster::TextureRole::bump;
     if (!texcoords[unit].is_on || !tilts) continue;
     if (!is_flat(texcoords[unit].kind)) {
-      if (role == raster::TextureRole::bump) eye_gradient = solid_gradient(state, unit);
+      if (role == raster::TextureRole::normal) {
+        throw std::invalid_argument("texture unit " + std::to_string(unit) +
+                                    ": normals come from a picture, not from a cube map or a solid");
+      }
+      eye_gradient = solid_gradient(state, unit);
       continue;
     }
     if (geometry.tangent.data == nullptr) {

@@ -2,6 +2,7 @@
 
 #include "pipeline/inspect/fragment_census.h"
 #include "pipeline/inspect/view_observers.h"
+#include "pipeline/map_stages.h"
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/sampling.h"
 
@@ -17,7 +18,12 @@ std::uint32_t texels_of(const CensusFragment& fragment) {
     if (!raster::has_picture(state, unit)) continue;
     const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
     const raster::TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
-    texels += static_cast<std::uint32_t>(raster::reference::choose_levels(texture, lod).texels());
+    const int texels_once = raster::reference::choose_levels(texture, lod).texels();
+    // Slopes are differences along each axis.
+    const int times = texture.role == raster::TextureRole::bump
+                          ? 2 * pipeline::bump_steps(texture, texcoord_kind(state, unit)).axes
+                          : 1;
+    texels += static_cast<std::uint32_t>(texels_once * times);
   }
   return texels;
 }

@@ -6,6 +6,7 @@
 #include "pipeline/inspect/corner_vertex.h"
 #include "pipeline/inspect/illumination_story.h"
 #include "pipeline/scene/triangles.h"
+#include "raster/names.h"
 
 namespace barrido::inspect {
 namespace {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include "pipeline/inspect/fragment_census.h"
 #include "pipeline/inspect/view_observers.h"
 #include "pipeline/scene/draw_state.h"
+#include "raster/reference/fragment.h"
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/sampling.h"
 
@@ -66,6 +68,18 @@ std::vector<std::uint32_t> first_numbers(const std::vector<FrameChunk>& chunks) 
 
 using Normal = std::array<float, 3>;
 
+/// The normal that maps leave, where there are any.
+std::optional<glm::vec3> mapped_normal(const CensusFragment& fragment, int normal) {
+  std::optional<raster::reference::Fragment> one;
+  for (const raster::FragmentStage& stage : fragment.place.chunk.state->stages) {
+    if ((stage.kind->writes & set_of(raster::Meaning::normal)) == 0) continue;
+    if (!one) raster::reference::interpolate(fragment.place, one.emplace());
+    stage.kind->scalar(stage, *one, nullptr);
+  }
+  if (!one) return std::nullopt;
+  return glm::vec3(one->varying[normal], one->varying[normal + 1], one->varying[normal + 2]);
+}
+
 Normal normal_of_varyings(const CensusFragment& fragment) {
   const raster::FragmentState& state = *fragment.place.chunk.state;
   const int normal = state.varyings.at(raster::Meaning::normal);
@@ -76,6 +90,7 @@ Normal normal_of_varyings(const CensusFragment& fragment) {
     const auto quantity = static_cast<std::size_t>(raster::kRecordVaryings + normal + k);
     n[k] = fragment.place.along.quantities[quantity].at(steps);  // times 1/w, which is of no matter here
   }
+  n = mapped_normal(fragment, normal).value_or(n);
   if ((fragment.place.primitive.flat_and_facing & raster::kBackFacing) != 0) n = -n;
   const float length = std::sqrt(glm::dot(n, n));
   if (!(length > 0.0f)) return {kNothing, kNothing, kNothing};

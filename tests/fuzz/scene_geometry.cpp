@@ -61,10 +61,12 @@ void any_geometry(Input& input, OwnedGeometry& owned) {
   const int vertices = input.between(1, kMaxVertices);
   geometry.vertex_count = static_cast<std::uint32_t>(vertices);
   const Array position = any_array(input, vertices, 2, 4, owned.numbers);
-  Array normal, color;
+  Array normal, color, tangent, bitangent;
   std::array<Array, raster::kMaxTextureUnits> texcoord;
   if (input.flag()) normal = any_array(input, vertices, 3, 3, owned.numbers);
   if (input.flag()) color = any_array(input, vertices, 3, 4, owned.numbers);
+  if (input.byte() < 96) tangent = any_array(input, vertices, 3, 4, owned.numbers);
+  if (input.byte() < 48) bitangent = any_array(input, vertices, 3, 3, owned.numbers);
   for (Array& array : texcoord) {
     if (input.byte() < 96) array = any_array(input, vertices, 2, 4, owned.numbers);
   }
@@ -76,6 +78,8 @@ void any_geometry(Input& input, OwnedGeometry& owned) {
   geometry.position = position.view(owned.numbers);
   geometry.normal = normal.view(owned.numbers);
   geometry.color = color.view(owned.numbers);
+  geometry.tangent = tangent.view(owned.numbers);
+  geometry.bitangent = bitangent.view(owned.numbers);
   for (std::size_t unit = 0; unit < texcoord.size(); ++unit)
     geometry.texcoord[unit] = texcoord[unit].view(owned.numbers);
   geometry.indices = owned.indices;

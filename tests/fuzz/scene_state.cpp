@@ -106,7 +106,7 @@ void any_lighting(Input& input, pipeline::Lighting& lighting) {
 
 void any_combine(Input& input, raster::CombineState& combine) {
   for (raster::CombineChannel* channel : {&combine.rgb, &combine.alpha}) {
-    channel->function = input.one_of_first<raster::CombineFunction>(6);
+    channel->function = input.one_of_first<raster::CombineFunction>(8);
     for (std::size_t k = 0; k < 3; ++k) {
       channel->source[k] = input.one_of_first<raster::CombineSource>(4);
       channel->operand[k] = input.one_of_first<raster::CombineOperand>(4);
@@ -125,6 +125,10 @@ void any_texture_unit(Input& input, raster::TextureUnit& unit) {
   unit.env_mode = input.one_of_first<raster::TextureEnvMode>(6);
   if (unit.env_mode == raster::TextureEnvMode::combine) any_combine(input, unit.combine);
   if (input.flag()) unit.env_color = any_color(input);
+  if (input.byte() >= 64) return;
+  unit.role = input.one_of_first<raster::TextureRole>(5);
+  unit.strength = input.number();
+  unit.bump_form = input.one_of_first<raster::BumpForm>(2);
 }
 
 void any_texture_coordinates(Input& input, pipeline::TextureCoordinates& coordinates) {

@@ -23,7 +23,7 @@ constexpr const char* kUsage =
 std::vector<Scene> all_scenes() {
   std::vector<Scene> all;
   for (const auto group : {visibility_scenes, primitive_scenes, lighting_scenes, texture_scenes,
-                           texgen_scenes, environment_scenes, fragment_scenes}) {
+                           texgen_scenes, map_scenes, environment_scenes, fragment_scenes}) {
     for (const Scene& scene : group()) all.push_back(scene);
   }
   return all;

@@ -38,6 +38,8 @@ void Stage::draw(const State& state, Shape shape) {
   geometry.vertex_count = static_cast<std::uint32_t>(kept.position.size());
   geometry.position = view(kept.position, 4);
   geometry.normal = view(kept.normal, 3);
+  geometry.tangent = view(kept.tangent, 3);
+  geometry.bitangent = view(kept.bitangent, 3);
   geometry.color = view(kept.color, 4);
   geometry.texcoord[0] = view(kept.texcoord, kept.texcoord_components);
   geometry.texcoord[1] = geometry.texcoord[0];

@@ -25,6 +25,7 @@ struct Shape {
   PrimitiveMode mode = PrimitiveMode::triangles;
   std::vector<glm::vec4> position;
   std::vector<glm::vec3> normal;
+  std::vector<glm::vec3> tangent, bitangent;  ///< P_u and P_v.
   std::vector<glm::vec4> color;
   std::vector<glm::vec4> texcoord;  ///< Of both units.
   int texcoord_components = 2;
@@ -97,6 +98,7 @@ std::vector<Scene> primitive_scenes();
 std::vector<Scene> lighting_scenes();
 std::vector<Scene> texture_scenes();
 std::vector<Scene> texgen_scenes();
+std::vector<Scene> map_scenes();
 std::vector<Scene> environment_scenes();
 std::vector<Scene> fragment_scenes();
 

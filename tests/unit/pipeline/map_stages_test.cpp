@@ -227,6 +227,18 @@ TEST(MapStages, NormalsCannotBeChangedWithoutTangents) {
   EXPECT_NO_THROW(Drawn(state, geometry_of(kTriangle)));
 }
 
+TEST(MapStages, NormalsComeFromPicturesAlone) {
+  Random random(3);
+  const raster::Texture picture = random_picture(random);
+  State state = lit_state();
+  state.texture_units[0].role = TextureRole::normal;
+  state.texture_units[0].texture = &picture;
+  state.texture_units[0].procedure = &kWaves3;
+  EXPECT_THROW(Drawn(state, geometry_with_tangents()), std::invalid_argument);
+  state.texture_units[0].procedure = &kWaves2;
+  EXPECT_NO_THROW(Drawn(state, geometry_with_tangents()));
+}
+
 TEST(MapStages, VerticesBringTangentsToTheEye) {
   const raster::SimdTarget before = raster::simd_target();
   for (const raster::SimdTarget target : raster::available_simd_targets()) {

@@ -115,6 +115,7 @@ void RandomOptions::set_looks(scene::RenderSettings& s) {
   if (coin()) s.cull = static_cast<pipeline::CullFace>(whole(3));
   if (coin()) s.crease_angle_deg = share() * 180.0f;
   s.textures = coin();
+  s.maps.drawn = coin();
   s.wireframe = coin();
   s.overlays = {coin(), coin(), coin()};
   s.color_management = static_cast<scene::ColorManagement>(whole(2));
@@ -196,6 +197,7 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(settings.min_filter);
   EXPECT_SAME(settings.mag_filter);
   EXPECT_SAME(settings.textures);
+  EXPECT_SAME(settings.maps.drawn);
   EXPECT_SAME(settings.camera);
   EXPECT_SAME(settings.no_lights);
   EXPECT_SAME(settings.lights_off);

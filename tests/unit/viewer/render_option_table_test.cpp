@@ -58,6 +58,10 @@ class RandomValues {
     if (form == "A:B") return {"0:0", "3:999999"};
     if (form == "LIST") return {"1,7,3", "2"};
     if (form == "OUT" || form == "FILE" || form == "PATH") return {"a folder/it's $here", "dynamic"};
+    if (form.starts_with("PATH[:")) {
+      return {"a folder/it's $here", "b.png:repeat=" + shortest_double(between({1, 9})) + ",-0.5",
+              "c.png:height=" + shortest_double(between({-1, 1})) + ":form=blinn"};
+    }
     if (form == "text|json") return {"text", "json"};
     if (form == "NAME") return {"midnight", "it's $here", "2"};
     if (form == "SET") return {"auto", "scalar"};

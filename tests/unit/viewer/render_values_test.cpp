@@ -52,6 +52,13 @@ const Refused kRefused[] = {
     {"--min-filter", "LINEAR"},
     {"--mag-filter", "linear-mipmap-linear"},
     {"--environment", ""},
+    {"--bump", ""},
+    {"--bump", ":height=1"},
+    {"--bump", "a.png:form=flat"},
+    {"--bump", "a.png:repeat=0,1"},
+    {"--bump", "a.png:height=1:height=2"},
+    {"--specularity-map", "a.png:height=1"},
+    {"--transparency-map", "a.png:repeat=1"},
     {"--background", "1,1"},
     {"--background", "1,1,1.5"},
     {"--background", "0,0,0,-1"},
@@ -175,6 +182,14 @@ TEST(RenderValues, Textures) {
             pipeline::TextureInterpolation::affine);
   EXPECT_EQ(settings("--texture-interpolation", "perspective").texture_interpolation,
             pipeline::TextureInterpolation::perspective);
+  EXPECT_FALSE(parse_flag("--no-maps").settings.maps.drawn);
+  const scene::UserMap bump = *settings("--bump", "a b.png:height=-0.5:form=blinn:repeat=2,3").maps.bump;
+  EXPECT_EQ(bump.path, "a b.png");
+  EXPECT_EQ(bump.height, -0.5f);
+  EXPECT_EQ(bump.form, raster::BumpForm::blinn);
+  EXPECT_EQ(bump.repeat, glm::vec2(2, 3));
+  EXPECT_EQ(settings("--transparency-map", "t.png").maps.transparency->path, "t.png");
+  EXPECT_EQ(settings("--specularity-map", "s.png:repeat=4,1").maps.specularity->repeat, glm::vec2(4, 1));
   EXPECT_EQ(parse("--environment", "sky.hdr").environment_path, "sky.hdr");
   EXPECT_FALSE(parse("--environment", "sky.hdr").settings.dynamic_environment);
   EXPECT_TRUE(parse("--environment", "dynamic").settings.dynamic_environment);
