@@ -31,6 +31,18 @@ void check(const Viewport& v) {
   }
 }
 
+void check(const raster::TextureUnit& unit) {
+  require(
+      unit.procedure == nullptr || (unit.pattern.octaves >= 1 && unit.pattern.octaves <= raster::kMaxOctaves),
+      "a pattern must have 1 to 16 octaves");
+  const bool is_cube = unit.texture != nullptr && unit.procedure == nullptr && unit.texture->is_cube();
+  require(
+      unit.role == raster::TextureRole::environment || unit.mapping.surface == raster::MappingSurface::none,
+      "a mapping makes coordinates of textures that colour, not of maps");
+  require(!is_cube || unit.mapping.surface == raster::MappingSurface::none,
+          "a mapping makes coordinates of two-dimensional textures, not of cube maps");
+}
+
 }  // namespace
 
 void check(const State& state) {
@@ -45,6 +57,7 @@ void check(const State& state) {
     require(unit.combine.alpha.function < raster::CombineFunction::dot3_rgb,
             "texture environment: dot3 is a combination of colours, not of alpha");
   }
+  for (const raster::TextureUnit& unit : state.texture_units) check(unit);
 }
 
 void check(const Geometry& geometry) {

@@ -172,7 +172,7 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   plan_stages();
   fragment.varyings = lay_out(state, geometry, fragment.stages);
 
-  needs_normal = lit != nullptr;
+  needs_normal = lit != nullptr || fragment.varyings.has(raster::Meaning::normal);
   needs_point = (lit != nullptr && lit->needs_position) || state.fog.enabled;
   needs_color = lit != nullptr ? lit->tracks_color : has_colors;
   for (const TexcoordPlan& texcoord : texcoords) {

@@ -51,6 +51,7 @@ ColorOrigin color_origin(const State& state, bool lit, bool has_colors) {
 
 TexcoordKind texcoord_kind(const State& state, const Geometry& geometry, std::size_t unit) {
   const raster::TextureUnit& u = state.texture_units[unit];
+  if (u.mapping.surface != raster::MappingSurface::none) return TexcoordKind::direct;
   if (u.procedure != nullptr)
     return u.procedure->coordinates == 2 ? TexcoordKind::plain : TexcoordKind::direct;
   if (u.texture->is_cube()) return TexcoordKind::direct;

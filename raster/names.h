@@ -29,6 +29,37 @@ inline constexpr auto kNames<raster::MagFilter> = std::to_array<Named<raster::Ma
     {{raster::MagFilter::nearest, "nearest"}, {raster::MagFilter::linear, "linear"}});
 
 template <>
+inline constexpr auto kNames<raster::PatternKind> =
+    std::to_array<Named<raster::PatternKind>>({{raster::PatternKind::stripes, "stripes"},
+                                               {raster::PatternKind::checker, "checker"},
+                                               {raster::PatternKind::noise, "noise"},
+                                               {raster::PatternKind::wood, "wood"},
+                                               {raster::PatternKind::marble, "marble"}});
+
+/// `none` stands last: who asks for a mapping asks for one of the others.
+template <>
+inline constexpr auto kNames<raster::MappingSurface> = std::to_array<Named<raster::MappingSurface>>(
+    {{raster::MappingSurface::planar, "planar", "a plane"},
+     {raster::MappingSurface::cylinder, "cylinder", "a cylinder"},
+     {raster::MappingSurface::sphere, "sphere", "a sphere"},
+     {raster::MappingSurface::box, "box", "a box"},
+     {raster::MappingSurface::none, "none"}});
+
+template <>
+inline constexpr auto kNames<raster::MappingRay> = std::to_array<Named<raster::MappingRay>>(
+    {{raster::MappingRay::surface, "surface", "the surface's normal"},
+     {raster::MappingRay::centre, "centre", "the object's centre"},
+     {raster::MappingRay::normal, "normal", "the object's normal"},
+     {raster::MappingRay::reflection, "reflection", "the reflected ray"}});
+
+template <>
+inline constexpr auto kNames<raster::TileChange> =
+    std::to_array<Named<raster::TileChange>>({{raster::TileChange::none, "none", "all the same"},
+                                              {raster::TileChange::rotate, "rotate", "turned"},
+                                              {raster::TileChange::shift, "shift", "moved"},
+                                              {raster::TileChange::both, "both", "turned and moved"}});
+
+template <>
 inline constexpr auto kNames<raster::TextureEnvMode> =
     std::to_array<Named<raster::TextureEnvMode>>({{raster::TextureEnvMode::modulate, "modulate"},
                                                   {raster::TextureEnvMode::replace, "replace"},

@@ -33,6 +33,9 @@ void add(RasterStatistics& sum, const RasterStatistics& part) {
   }
   sum.interpolations += part.interpolations + part.fragments_covered;
   sum.texel_fetches += part.texel_fetches;
+  sum.mapped += part.mapped;
+  sum.patterns += part.patterns;
+  sum.noise += part.noise;
 }
 
 }  // namespace

@@ -23,10 +23,24 @@ void take_colors(const FragmentStage&, TileWorkspace& workspace) {
   if (reads_primary(*batch.state)) std::memcpy(workspace.primary, batch.color, sizeof(workspace.primary));
 }
 
+/// The fragments' places in the coordinates of the unit's procedure.
+ProcedurePoints points_of(const FragmentBatch& batch, int unit, const float (*extent)[kBatchStride]) {
+  const int first = batch.state->varyings.at(Meaning::texcoord, unit);
+  ProcedurePoints points{batch.count, {}, {extent[0], extent[1], extent[2]}};
+  const int coordinates = texcoord_kind(*batch.state, unit) == TexcoordKind::plain ? 2 : 3;
+  for (int i = 0; i < coordinates; ++i) points.at[static_cast<std::size_t>(i)] = batch.varying[first + i];
+  return points;
+}
+
 void apply_texture(const FragmentStage& stage, TileWorkspace& workspace) {
   FragmentBatch& batch = workspace.batch;
   const int unit = stage.unit;
   const TextureUnit& state = batch.state->texture_units[static_cast<std::size_t>(unit)];
+  if (state.mapping.surface != MappingSurface::none) {
+    map_coordinates(batch, unit);
+    workspace.statistics.mapped += static_cast<std::uint64_t>(batch.count);
+  }
+  if (changes_tiles(*batch.state, unit)) change_tiles(batch, unit);
   const bool is_sampled_in_place =
       state.env_mode == TextureEnvMode::replace || state.env_mode == TextureEnvMode::modulate;
   if (state.procedure != nullptr || !is_sampled_in_place) {
@@ -58,7 +72,7 @@ constinit const StageKind kTakeColors{
     .clamps = true};
 constinit const StageKind kApplyTexture{
     .name = "texture unit",
-    .reads = set_of(Meaning::color, Meaning::texcoord),
+    .reads = set_of(Meaning::color, Meaning::texcoord, Meaning::normal),
     .writes = set_of(Meaning::color),
     .vector = apply_texture,
     .scalar = reference::apply_texture,
@@ -100,7 +114,11 @@ std::vector<FragmentStage> make_stages(const FragmentState& state, std::span<con
     const TextureRole role = state.texture_units[static_cast<std::size_t>(unit)].role;
     if (floats == 0 || (role != TextureRole::environment && role != TextureRole::shine)) continue;
     const StageKind* kind = role == TextureRole::environment ? &kApplyTexture : &kApplyShine;
-    stages.push_back({.kind = kind, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});
+    const Mapping& mapping = state.texture_units[static_cast<std::size_t>(unit)].mapping;
+    stages.push_back(
+        {.kind = kind,
+         .unit = unit,
+         .reads = {{{Meaning::texcoord, floats, unit}, {Meaning::normal, needs_normal(mapping) ? 3 : 0}}}});
   }
   if (state.separate_specular) stages.push_back({.kind = &kAddSecondary});
   if (state.fog.enabled) stages.push_back({.kind = &kApplyFog, .reads = {{{Meaning::fog, 1}}}});
@@ -108,9 +126,15 @@ std::vector<FragmentStage> make_stages(const FragmentState& state, std::span<con
 }
 
 void sample_unit(TileWorkspace& workspace, int unit) {
-  const FragmentBatch& batch = workspace.batch;
+  FragmentBatch& batch = workspace.batch;
   const TextureUnit& state = batch.state->texture_units[static_cast<std::size_t>(unit)];
-  if (state.procedure != nullptr) return state.procedure->vector(batch, unit, workspace.texel);
+  if (state.procedure != nullptr) {
+    find_extents(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.extent);
+    workspace.statistics.patterns += static_cast<std::uint64_t>(batch.count);
+    workspace.statistics.noise +=
+        state.procedure->vector(state, points_of(batch, unit, workspace.extent), workspace.texel);
+    return;
+  }
   find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
   workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.levels, workspace.texel);
 }

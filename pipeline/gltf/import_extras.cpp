@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/gltf/import_parts.h"
-#include "raster/names.h"
+#include "pipeline/scene/names.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -70,6 +70,70 @@ void read_maps(Import& import, const json& from, Material& material) {
   read_map("specularityTexture", material.specularity_texture);
 }
 
+template <class Value>
+Value value_of(const json& from, const char* name, Value otherwise) {
+  const auto value = from.find(name);
+  return value == from.end() ? otherwise : value_named<Value>(value->get<std::string>()).value_or(otherwise);
+}
+
+/// A direction that may not be 0.
+void read_axis(const Report& report, const json& from, const std::string& place, glm::vec3& axis) {
+  std::optional<glm::vec3> given;
+  read(from, "axis", given);
+  if (given && *given == glm::vec3(0.0f)) report.fail(place + ".axis", "must not be 0, 0, 0");
+  axis = given.value_or(axis);
+}
+
+SolidTexture solid_of(const Report& report, const json& from, const std::string& place) {
+  SolidTexture solid = standard_solid(value_of(from, "procedure", raster::PatternKind::checker));
+  raster::Pattern& pattern = solid.pattern;
+  solid.scale = to_float(from.value("scale", double{solid.scale}));
+  solid.space = value_of(from, "space", solid.space);
+  read_axis(report, from, place, solid.axis);
+  pattern.octaves = static_cast<int>(from.value("octaves", double{static_cast<double>(pattern.octaves)}));
+  pattern.gain = to_float(from.value("gain", double{pattern.gain}));
+  pattern.turbulence = to_float(from.value("turbulence", double{pattern.turbulence}));
+  pattern.has_threshold = from.contains("threshold");
+  pattern.threshold = to_float(from.value("threshold", 0.0));
+  for (const std::size_t which : {0, 1}) {
+    std::optional<glm::vec4> color;
+    read(from, which == 0 ? "dark" : "light", color);
+    if (color) pattern.colors[which] = {color->r, color->g, color->b, color->a};
+  }
+  return solid;
+}
+
+void read_pair(const json& from, const char* name, glm::vec2& to) {
+  const auto value = from.find(name);
+  if (value != from.end()) to = {float_at(*value, 0), float_at(*value, 1)};
+}
+
+MappingChoice mapping_of(const Report& report, const json& from, const std::string& place) {
+  MappingChoice mapping;
+  mapping.surface = value_of(from, "surface", raster::MappingSurface::sphere);
+  mapping.ray = value_of(from, "from", mapping.ray);
+  mapping.at_vertices = from.value("at", std::string("fragments")) == "vertices";
+  read_axis(report, from, place, mapping.axis);
+  read(from, "centre", mapping.centre);
+  mapping.size = to_float(from.value("size", double{mapping.size}));
+  read_pair(from, "repeats", mapping.repeats);
+  read_pair(from, "offset", mapping.offset);
+  if (mapping.repeats.x == 0.0f || mapping.repeats.y == 0.0f) {
+    report.fail(place + ".repeats", "neither of the two may be 0");
+  }
+  return mapping;
+}
+
+void read_textures(const Report& report, const json& from, const std::string& place, TextureChoice& choice) {
+  if (const auto texture = from.find("texture"); texture != from.end()) {
+    choice.solid = solid_of(report, *texture, place + ".extras.barrido.texture");
+  }
+  if (const auto mapping = from.find("mapping"); mapping != from.end()) {
+    choice.mapping = mapping_of(report, *mapping, place + ".extras.barrido.mapping");
+  }
+  if (from.contains("tiles")) choice.tiles = value_of(from, "tiles", raster::TileChange::none);
+}
+
 void read_light(const Report& report, const json& from, const std::string& place, Light& light) {
   read(from, "intensity", light.exact_intensity);
   read(from, "attenuation", light.attenuation);
@@ -115,6 +179,7 @@ void import_material_extras(Import& import) {
   for_each_barrido(document[kMaterials], [&](const json& barrido, std::size_t i) {
     read_material(barrido, import.scene.materials[i].exact);
     read_maps(import, barrido, import.scene.materials[i]);
+    read_textures(import.report, barrido, element("materials", i), import.scene.materials[i].texture);
   });
 }
 

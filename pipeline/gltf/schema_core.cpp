@@ -2,6 +2,7 @@
 // (docs/barrido-extras.schema.json). Drawing looks at the rows in their order and names the first that is
 // wrong.
 #include "pipeline/gltf/schema_parts.h"
+#include "raster/textures/pattern.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -24,6 +25,31 @@ constexpr Property color(std::string_view name) {
 // extras.barrido
 
 constexpr Range kFromZero{.min = 0};
+constexpr Property unit_color(std::string_view name) {
+  return {.name = name, .kind = Kind::numbers, .range = kUnit, .min_items = 3, .max_items = 4};
+}
+constexpr Property kBarridoTextureProperties[] = {
+    fatal(required(text("procedure", "stripes|checker|noise|wood|marble"))),
+    fatal(positive("scale")),
+    fatal(numbers("axis", 3)),
+    fatal(text("space", "object|world|surface")),
+    fatal(unit_color("dark")),
+    fatal(unit_color("light")),
+    fatal(integer("octaves", 1, raster::kMaxOctaves)),
+    fatal(number("gain", 0.01, 1)),
+    fatal(number("turbulence", -100, 100)),
+    fatal(number("threshold", -1, 1))};
+constexpr Schema kBarridoTexture{.properties = kBarridoTextureProperties, .closed = true};
+constexpr Property kBarridoMappingProperties[] = {
+    fatal(required(text("surface", "planar|cylinder|sphere|box"))),
+    fatal(text("from", "surface|centre|normal|reflection")),
+    fatal(text("at", "fragments|vertices")),
+    fatal(numbers("axis", 3)),
+    fatal(numbers("centre", 3)),
+    fatal(positive("size")),
+    fatal(numbers("repeats", 2)),
+    fatal(numbers("offset", 2))};
+constexpr Schema kBarridoMapping{.properties = kBarridoMappingProperties, .closed = true};
 constexpr Property kMapProperties[] = {fatal(required(index("index", Collection::textures))),
                                        fatal(integer("texCoord", 0))};
 constexpr Schema kMap{.properties = kMapProperties, .closed = true};
@@ -31,11 +57,17 @@ constexpr Property kBumpProperties[] = {fatal(required(index("index", Collection
                                         fatal(integer("texCoord", 0)), fatal(number("height", -1e6, 1e6)),
                                         fatal(text("form", "invariant|blinn"))};
 constexpr Schema kBump{.properties = kBumpProperties, .closed = true};
-constexpr Property kBarridoMaterialProperties[] = {
-    fatal(numbers("ambient", 3, kFromZero)),    fatal(numbers("diffuse", 3, kFromZero)),
-    fatal(numbers("specular", 3, kFromZero)),   fatal(numbers("emission", 3, kFromZero)),
-    fatal(number("shininess", 0, 1e6)),         fatal(object("bump", kBump)),
-    fatal(object("transparencyTexture", kMap)), fatal(object("specularityTexture", kMap))};
+constexpr Property kBarridoMaterialProperties[] = {fatal(numbers("ambient", 3, kFromZero)),
+                                                   fatal(numbers("diffuse", 3, kFromZero)),
+                                                   fatal(numbers("specular", 3, kFromZero)),
+                                                   fatal(numbers("emission", 3, kFromZero)),
+                                                   fatal(number("shininess", 0, 1e6)),
+                                                   fatal(object("bump", kBump)),
+                                                   fatal(object("transparencyTexture", kMap)),
+                                                   fatal(object("specularityTexture", kMap)),
+                                                   object("texture", kBarridoTexture),
+                                                   object("mapping", kBarridoMapping),
+                                                   fatal(text("tiles", "none|rotate|shift|both"))};
 constexpr Schema kBarridoMaterial{.properties = kBarridoMaterialProperties, .closed = true};
 constexpr Property kFogProperties[] = {fatal(required(text("mode", "linear|exp|exp2"))),
                                        fatal(number("density", 0)), fatal(number("start", 0)),

@@ -75,7 +75,9 @@ TextureStory tell_texture(const FragmentContext& context, const AssembledDraw& d
   const raster::TextureUnit& state = draw.plan->fragment.texture_units[unit];
   TextureStory texture;
   if (state.procedure != nullptr) {
-    texture.role = state.procedure->name;
+    texture.role = state.procedure == &raster::kSolidPattern || state.procedure == &raster::kSurfacePattern
+                       ? name_of(state.pattern.kind)
+                       : state.procedure->name;
     return texture;
   }
   texture.cube = state.texture->is_cube();

@@ -12,7 +12,9 @@
 #include "pipeline/inspect/view_observers.h"
 #include "pipeline/scene/draw_state.h"
 #include "raster/reference/fragment.h"
+#include "raster/reference/fragment_walk.h"
 #include "raster/reference/level_of_detail.h"
+#include "raster/reference/mapping.h"
 #include "raster/reference/sampling.h"
 
 namespace barrido::inspect {
@@ -52,6 +54,57 @@ float mip_level(const CensusFragment& fragment) {
   if (unit == raster::kAbsent) return kNothing;
   const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
   return raster::reference::choose_levels(state.texture_units[static_cast<std::size_t>(unit)], lod).level();
+}
+
+/// log2 of how many texels of its picture a pixel is wide.
+float texel_density(const CensusFragment& fragment) {
+  const raster::FragmentState& state = *fragment.place.chunk.state;
+  const int unit = picture_unit(state);
+  if (unit == raster::kAbsent) return kNothing;
+  return raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
+}
+
+/// The unit whose two coordinates a view can show: that of a picture or of a pattern on a surface.
+int flat_unit(const raster::FragmentState& state) {
+  for (int unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
+    if (!raster::is_active(state, unit)) continue;
+    if (raster::texcoord_kind(state, unit) == raster::TexcoordKind::plain) return unit;
+  }
+  return raster::kAbsent;
+}
+
+/// (s, t) before tiles are changed.
+std::array<float, 2> coordinates_of(const CensusFragment& fragment, int unit) {
+  const raster::FragmentState& state = *fragment.place.chunk.state;
+  raster::reference::Fragment one;
+  raster::reference::interpolate(fragment.place, one);
+  const float* at = one.varying + state.varyings.at(raster::Meaning::texcoord, unit);
+  const raster::Mapping& mapping = state.texture_units[static_cast<std::size_t>(unit)].mapping;
+  if (mapping.surface == raster::MappingSurface::none) return {at[0], at[1]};
+  raster::reference::Point normal{};
+  if (raster::needs_normal(mapping)) {
+    std::copy_n(one.varying + state.varyings.at(raster::Meaning::normal), 3, normal.begin());
+  }
+  return raster::reference::mapped_coordinates(
+      mapping, raster::reference::reach_surface(mapping, {at[0], at[1], at[2]}, normal));
+}
+
+/// Their place in the tile as a colour; white where the pixel meets the tile's border.
+std::optional<Rgb8> coordinate_color(const CensusFragment& fragment) {
+  const raster::FragmentState& state = *fragment.place.chunk.state;
+  const int unit = flat_unit(state);
+  if (unit == raster::kAbsent) return std::nullopt;
+  const std::array<float, 2> st = coordinates_of(fragment, unit);
+  float extent[3];
+  raster::reference::pixel_extent(state, unit, fragment.place.along, fragment.place.x, extent);
+  Rgb8 color{0, 0, 96};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const float part = st[c] - std::floor(st[c]);
+    const float width = std::min(extent[c], 0.1f);
+    if (part < width || part > 1.0f - width) return Rgb8{255, 255, 255};
+    color[c] = static_cast<std::uint8_t>(part * 255.0f + 0.5f);
+  }
+  return color;
 }
 
 /// For each chunk, the first number of its draw's polygons.
@@ -141,6 +194,12 @@ void look_at_front(const scene::ObservedFrame& frame, ViewValues& values) {
       value = eye_distance(frame.view, fragment);
     } else if (values.view == StructureView::mip_level) {
       value = mip_level(fragment);
+    } else if (values.view == StructureView::texel_density) {
+      value = texel_density(fragment);
+    } else if (values.view == StructureView::coordinates) {
+      const std::optional<Rgb8> color = coordinate_color(fragment);
+      values.colors[fragment.pixel] = packed(color.value_or(kNothingColor));
+      value = color ? 0.0f : kNothing;
     } else {
       const std::uint32_t source = fragment.chunk.chunk->sources[fragment.place.primitive_number];
       value = static_cast<float>(first_of_chunk[fragment.place.chunk_number] + source);

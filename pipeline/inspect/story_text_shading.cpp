@@ -91,8 +91,8 @@ std::string texture_words(const UnitTrace& unit, const TextureStory& texture,
 void tell_sample(const UnitTrace& unit, const TextureStory& texture, Lines& lines) {
   const auto& sample = unit.sample;
   const bool plain = !texture.cube;
-  lines.add(2, (plain ? "s, t = " : "direction = ") +
-                   tuple(std::span<const float>(unit.coordinates, plain ? 2 : 3)) +
+  const float place[] = {sample.u, sample.v};  // after a mapping and tiles
+  lines.add(2, (plain ? "s, t = " + tuple(place) : "direction = " + tuple(unit.coordinates)) +
                    (plain ? "" : ", place on the face " + number(sample.u) + ", " + number(sample.v)) +
                    "; level of detail λ = " + number(sample.lod));
   for (const auto& level : sample.levels) {
@@ -172,16 +172,34 @@ void tell_notes(const std::vector<raster::reference::Note>& notes, int level, Li
   }
 }
 
+template <class Value>
+std::string title_of(Value value) {
+  for (const Named<Value>& row : names_of<Value>()) {
+    if (row.value == value) return std::string(row.title);
+  }
+  return {};
+}
+
+/// How the unit's coordinates come about, where they are not simply the file's.
+void tell_mapping(const UnitTrace& unit, const raster::TextureUnit& state, Lines& lines) {
+  if (state.mapping.surface == raster::MappingSurface::none) return;
+  lines.add(2, "two-part mapping of " + tuple(unit.coordinates) + " to " + title_of(state.mapping.surface) +
+                   ", reached by " + title_of(state.mapping.ray));
+}
+
 void tell_unit(const UnitTrace& unit, const TextureStory& texture, const raster::TextureUnit& state,
                Lines& lines) {
   if (state.procedure != nullptr) {
     lines.add(1, "Texture unit " + std::to_string(unit.unit) + ", " + texture.role + ": " +
                      std::string(state.procedure->story));
     lines.add(2, "at " + tuple(unit.coordinates));
+    tell_mapping(unit, state, lines);
     tell_notes(unit.notes, 2, lines);
     lines.add(2, "texel " + tuple(unit.sample.color));
   } else {
     lines.add(1, texture_words(unit, texture, state));
+    tell_mapping(unit, state, lines);
+    tell_notes(unit.notes, 2, lines);
     tell_sample(unit, texture, lines);
   }
   const std::string formula = environment_words(state);

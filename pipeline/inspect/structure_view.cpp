@@ -22,6 +22,8 @@ constexpr std::array<std::string_view, kStructureViewCount> kDescriptions{
     "texels read for each pixel, in drawing order",
     "mip level of the visible picture",
     "a colour for each mip level",
+    "texels to a pixel, as a power of two",
+    "s in red, t in green; white where a picture begins anew",
     "a colour for each visible triangle",
     "distance from the eye along the line of sight",
     "normal as it is lit, in eye space",
@@ -92,7 +94,7 @@ Rgb8 level_color(float value) {
 }
 
 std::uint32_t pixel_of(const ViewValues& values, std::size_t i) {
-  if (values.view == StructureView::mip_colors) return values.colors[i];
+  if (!values.colors.empty()) return values.colors[i];
   if (values.view == StructureView::normals) return packed(normal_color(values.normals[i]));
   return packed(color_of(values, values.values[i]));
 }
@@ -117,7 +119,11 @@ ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSetti
     case StructureView::texels:
       look(renderer, settings, [&](const scene::ObservedFrame& frame) { count_work(frame, values); });
       break;
+    case StructureView::coordinates:
+      values.colors.assign(pixels, packed(kNothingColor));
+      [[fallthrough]];
     case StructureView::mip_level:
+    case StructureView::texel_density:
     case StructureView::triangles:
     case StructureView::depth:
       look(renderer, settings, [&](const scene::ObservedFrame& frame) { look_at_front(frame, values); });
@@ -153,7 +159,7 @@ Rgb8 color_of(const ViewValues& values, float value) {
   const ViewScale scale = scale_of(values);
   const double place = scale.place_of(value);
   // A second derivative below zero is where it is lighter than around.
-  if (scale.is_signed) return signed_color(-place);
+  if (scale.is_signed) return signed_color(values.view == StructureView::mach_bands ? -place : place);
   return ordered_color(values.view == StructureView::depth ? 1.0 - place : place);
 }
 

@@ -1,6 +1,6 @@
 // Views of what a frame costs and what it is made of, as false colour: how often each pixel is drawn, how
-// many texels it reads, which triangle, mip level, depth and normal it shows, and where shading leaves Mach
-// bands. Enters: a scene and the settings of a frame; leaves: a number a pixel, and its
+// many texels it reads, which triangle, mip level, texture coordinates, depth and normal it shows, and where
+// shading leaves Mach bands. Enters: a scene and the settings of a frame; leaves: a number a pixel, and its
 // colour.
 #pragma once
 
@@ -23,6 +23,8 @@ enum class StructureView : std::uint8_t {
   texels,         ///< Texels that filters read a pixel, in drawing order without visibility first.
   mip_level,      ///< Mip level that the visible surface's picture is read at.
   mip_colors,     ///< The frame with a colour for each mip level in place of the pictures.
+  texel_density,  ///< Texels of its picture to a pixel, as a power of two.
+  coordinates,    ///< (s, t) at which the visible surface's texture is looked up.
   triangles,      ///< A colour for each visible triangle.
   depth,          ///< Distance of the visible surface from the eye, along the line of sight.
   normals,        ///< Normal with which the visible surface is lit, in eye space.
@@ -40,6 +42,8 @@ inline constexpr auto kNames<inspect::StructureView> =
                                                   {inspect::StructureView::texels, "texels"},
                                                   {inspect::StructureView::mip_level, "mip-level"},
                                                   {inspect::StructureView::mip_colors, "mip-colors"},
+                                                  {inspect::StructureView::texel_density, "texel-density"},
+                                                  {inspect::StructureView::coordinates, "coordinates"},
                                                   {inspect::StructureView::triangles, "triangles"},
                                                   {inspect::StructureView::depth, "depth"},
                                                   {inspect::StructureView::normals, "normals"},
@@ -62,11 +66,12 @@ struct ViewValues {
   /// number of the triangle.
   std::vector<float> values;
   std::vector<std::array<float, 3>> normals;  ///< Of StructureView::normals only; NaN for none.
-  std::vector<std::uint32_t> colors;          ///< Of mip_colors only: the frame as drawn.
-  double least = 0.0, most = 0.0;             ///< Of the pixels that have a number; 0 where none has.
-  double mean = 0.0;                          ///< Of the pixels that have a number.
-  std::uint64_t counted = 0;                  ///< Pixels that have a number.
-  std::uint64_t total = 0;  ///< Sum of counts over the picture; of triangles: how many are seen.
+  /// Of mip_colors: the frame as drawn. Of coordinates: red is s, green is t, within their tile.
+  std::vector<std::uint32_t> colors;
+  double least = 0.0, most = 0.0;  ///< Of the pixels that have a number; 0 where none has.
+  double mean = 0.0;               ///< Of the pixels that have a number.
+  std::uint64_t counted = 0;       ///< Pixels that have a number.
+  std::uint64_t total = 0;         ///< Sum of counts over the picture; of triangles: how many are seen.
   /// Illuminations of vertices and centroids that lie outside the picture; in the frame's total, not in
   /// `total`.
   std::uint64_t outside = 0;
@@ -77,8 +82,8 @@ struct ViewValues {
 ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSettings& settings,
                         StructureView view);
 
-/// The colour of a value of the view, as in its picture. Not for mip_colors and normals, which have colours
-/// of their own.
+/// The colour of a value of the view, as in its picture. Not for mip_colors, coordinates and normals, which
+/// have colours of their own.
 Rgb8 color_of(const ViewValues& values, float value);
 
 /// The values in false colour: packed, opaque, a pixel each.

@@ -10,7 +10,7 @@ namespace barrido::inspect {
 /// Of overdraw, layers, illuminations and texels.
 void count_work(const scene::ObservedFrame& frame, ViewValues& values);
 
-/// Of mip_level, triangles and depth.
+/// Of mip_level, texel_density, coordinates, triangles and depth.
 void look_at_front(const scene::ObservedFrame& frame, ViewValues& values);
 
 /// Of normals. The frame must have been assembled for Phong shading, or flat at the centroid; then

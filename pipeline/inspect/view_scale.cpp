@@ -35,6 +35,13 @@ ViewScale scale_of(const ViewValues& values) {
       scale.least_word = "light " + number(scale.least);
       scale.most_word = "+" + number(scale.most) + " dark";
       return scale;
+    case StructureView::texel_density:
+      scale.is_signed = true;
+      scale.most = kDensityLimit;
+      scale.least = -kDensityLimit;
+      scale.least_word = "magnified " + number(scale.least);
+      scale.most_word = "+" + number(scale.most) + " minified";
+      return scale;
     case StructureView::depth:
       scale.least = values.least;
       scale.most = values.most;

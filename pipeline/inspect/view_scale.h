@@ -11,6 +11,9 @@ namespace barrido::inspect {
 /// Second derivatives of this size, in 1/255, have the strongest colours; edges of objects have far more.
 inline constexpr double kMachBandLimit = 16.0;
 
+/// So many doublings of texels to a pixel have the strongest colours.
+inline constexpr double kDensityLimit = 6.0;
+
 /// Of views with numbers in order.
 struct ViewScale {
   double least = 0.0, most = 1.0;

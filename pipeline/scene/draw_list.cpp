@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "pipeline/matrix.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene {
@@ -37,6 +38,40 @@ float scale_of(const Scene& scene, const Draw& draw) {
   if (draw.material == kNone || !scene.materials[static_cast<std::size_t>(draw.material)].layers) return 1.0f;
   const double volume = std::abs(glm::determinant(glm::dmat3(glm::mat3(draw.world_from_object))));
   return portable_pow(static_cast<float>(volume), 1.0f / 3.0f);
+}
+
+/// Lengths of the world where the object has 1, roughly; 0 for what has collapsed.
+float world_scale_of(const glm::mat4& world_from_object) {
+  const double volume = std::abs(glm::determinant(glm::dmat3(glm::mat3(world_from_object))));
+  return portable_pow(static_cast<float>(volume), 1.0f / 3.0f);
+}
+
+/// Coordinates of the unit that shows a procedure or is mapped.
+void place_texture(const PreparedGeometry& prepared, const Box& box, const SurfaceOptions& options,
+                   Draw& draw, DrawList& list) {
+  const auto unit = static_cast<std::size_t>(draw.surface.placed_unit);
+  const TextureChoice& choice = draw.surface.placed;
+  PlacedObject object{box, prepared.rest, prepared.geometry.position, prepared.geometry.normal,
+                      prepared.geometry.vertex_count};
+  object.world_from_object = draw.world_from_object;
+  object.world_from_object[3] += glm::vec4(glm::vec3(options.origin), 0.0f) * draw.world_from_object[3].w;
+  object.eye_from_object = pipeline::product(options.eye_from_world, draw.world_from_object);
+  // What is deformed into the world has no one scale; its rest pose is taken to be as large.
+  object.world_scale = world_scale_of(draw.world_from_object);
+  object.scene_size = options.scene_size;
+  TexturePlacement placement =
+      choice.mapping ? place_mapping(*choice.mapping, object) : place_solid(*choice.solid, object);
+  draw.surface.placed_from_object = placement.matrix;
+  raster::Mapping& mapping = draw.surface.units[unit].mapping;
+  if (choice.mapping && choice.mapping->at_vertices) {
+    look_from(object.eye_from_object, placement.matrix, mapping);
+    list.coordinates.push_back(
+        std::make_unique<std::vector<float>>(coordinates_at_vertices(mapping, placement, object)));
+    placement = {{list.coordinates.back()->data(), 2, 2}, glm::mat4(1.0f)};
+    mapping.surface = raster::MappingSurface::none;
+  }
+  draw.geometry.texcoord[unit] = placement.coordinates;
+  draw.surface.texture_matrix[unit] = placement.matrix;
 }
 
 bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::dmat3(glm::mat3(matrix))) < 0.0; }
@@ -93,6 +128,9 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
           }
         }
         draw.geometry = geometry_for(*drawn, draw.surface);
+        if (draw.surface.placed_unit != kNone) {
+          place_texture(*drawn, geometry.box_of(mesh), options, draw, list);
+        }
         list.draws.push_back(draw);
       }
     }

@@ -28,6 +28,8 @@ struct DrawList {
   std::vector<Draw> draws;  ///< In node order
   /// Vertices that were deformed for this frame; the draws point into them.
   std::vector<std::unique_ptr<PreparedGeometry>> deformed;
+  /// Texture coordinates that were made for this frame; the draws point into them.
+  std::vector<std::unique_ptr<std::vector<float>>> coordinates;
 };
 
 /// The draws of `nodes` in `pose`. Arrays that do not depend on the pose stay in `geometry`.

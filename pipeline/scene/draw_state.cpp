@@ -143,6 +143,13 @@ pipeline::State state_of(const pipeline::State& base, const RenderSettings& sett
   for (std::size_t unit = 0; unit < surface.texture_matrix.size(); ++unit) {
     state.texture_coordinates[unit].matrix = surface.texture_matrix[unit];
   }
+  if (surface.placed_unit != kNone) {
+    const auto unit = static_cast<std::size_t>(surface.placed_unit);
+    raster::Mapping& mapping = state.texture_units[unit].mapping;
+    if (raster::needs_normal(mapping)) {
+      look_from(state.eye_from_object, surface.placed_from_object, mapping);
+    }
+  }
   if (surface.reflection_unit != kNone) set_reflection(state, surface.reflection_unit, reflection);
   set_alpha(state, surface, write_alpha);
   set_faces(state, settings, draw);

@@ -90,6 +90,9 @@ void add(pipeline::Statistics& sum, const pipeline::Statistics& more) {
   sum.raster.fragments_covered += more.raster.fragments_covered;
   sum.raster.fragments_shaded += more.raster.fragments_shaded;
   sum.raster.texel_fetches += more.raster.texel_fetches;
+  sum.raster.mapped += more.raster.mapped;
+  sum.raster.patterns += more.raster.patterns;
+  sum.raster.noise += more.raster.noise;
 }
 
 }  // namespace barrido::scene

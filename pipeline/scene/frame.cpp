@@ -105,6 +105,7 @@ SurfaceOptions surface_options(const RenderSettings& settings) {
   const pipeline::ColorOrigin& lit = pipeline::shading_mode(settings.shading).lit;
   options.fragment_light = lit.at_fragments;
   options.fragment_normals = lit.at_fragments && !lit.at_vertices;
+  options.texture = settings.texture;
   // OpenGL's limits where OpenGL's results are asked for.
   if (!uses_float_frame(settings)) options.limits = {128.0f, true};
   return options;
@@ -126,6 +127,25 @@ void warn_of_dropped_maps(const SceneFrame& frame, const RenderSettings& setting
     warnings.push_back("occlusion maps are not drawn: " + mode +
                        " shading adds up ambient light at vertices; --shading phong does at fragments");
   }
+}
+
+/// A texture that the user wants, on surfaces that have no coordinates for it.
+void warn_of_coordinates(const SceneFrame& frame, const RenderSettings& settings,
+                         std::vector<std::string>& warnings) {
+  const std::optional<SolidTexture>& solid = settings.texture.solid;
+  const bool needs_some = settings.texture.picture || (solid && solid->space == SolidTexture::Space::surface);
+  if (!needs_some) return;
+  const auto lacks_some = [](const Draw& draw) {
+    for (std::size_t unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
+      if (draw.surface.texcoord_set[unit] != kNone && draw.geometry.texcoord[unit].data == nullptr)
+        return true;
+    }
+    return false;
+  };
+  const auto count = std::count_if(frame.list.draws.begin(), frame.list.draws.end(), lacks_some);
+  if (count == 0) return;
+  warnings.push_back(std::to_string(count) + (count == 1 ? " surface has" : " surfaces have") +
+                     " no texture coordinates for --texture: --mapping gives them some");
 }
 
 }  // namespace
@@ -170,9 +190,14 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
   frame.fog = choose_fog(own, settings, frame.clear_color);
   SurfaceOptions options = surface_options(settings);
   options.variant = resolve_variant(scene, settings.variant);
+  options.scene_size = static_cast<float>(2.0 * frame.posed.bounds.sphere.radius);
+  options.origin = frame.posed.pose.origin;
+  options.eye_from_world = frame.view.eye_from_world;
+  caches.textures.give(settings.texture.picture);
   frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg, options,
                              caches.geometry, caches.textures);
   warn_of_dropped_maps(frame, settings, warnings);
+  warn_of_coordinates(frame, settings, warnings);
   choose_surroundings(frame, own, settings, caches);
   return frame;
 }

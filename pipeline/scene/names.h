@@ -19,6 +19,12 @@ inline constexpr auto kNames<scene::UserLight::Space> = std::to_array<Named<scen
      {scene::UserLight::Space::camera, "camera", "the camera"}});
 
 template <>
+inline constexpr auto kNames<scene::SolidTexture::Space> = std::to_array<Named<scene::SolidTexture::Space>>(
+    {{scene::SolidTexture::Space::object, "object", "the object"},
+     {scene::SolidTexture::Space::world, "world", "the world"},
+     {scene::SolidTexture::Space::surface, "surface", "the surface's (u, v)"}});
+
+template <>
 inline constexpr auto kNames<scene::Feature::Support> =
     std::to_array<Named<scene::Feature::Support>>({{scene::Feature::Support::exact, "exact"},
                                                    {scene::Feature::Support::approximated, "approximated"},

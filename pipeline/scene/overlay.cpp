@@ -5,9 +5,11 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include "pipeline/matrix.h"
 #include "pipeline/scene/draw_state.h"
+#include "pipeline/scene/mapping_lines.h"
 
 namespace barrido::scene {
 namespace {
@@ -16,6 +18,8 @@ namespace {
 constexpr glm::vec3 kEdgeColor{0.0f, 0.0f, 0.0f};
 constexpr glm::vec3 kNormalColor{0.35f, 0.65f, 1.0f};
 constexpr glm::vec3 kNegativeLightColor{0.75f, 0.2f, 0.9f};
+constexpr glm::vec3 kGridColor{0.3f, 0.75f, 0.65f};
+constexpr glm::vec3 kSeamColor{1.0f, 0.25f, 0.2f};
 
 /// Parts of the bounding sphere's radius.
 constexpr float kNormalLength = 0.06f;
@@ -95,6 +99,7 @@ void Overlay::draw(pipeline::Renderer& renderer, const pipeline::State& base, co
   for (const Draw& draw : frame.list.draws) {
     if (wanted.edges && has_triangles(draw.geometry.mode)) draw_edges(renderer, base, draw);
     if (wanted.normals && draw.geometry.normal.data != nullptr) draw_normals(renderer, base, draw, length);
+    if (wanted.mapping && draw.surface.placed.mapping) draw_mapping(renderer, base, draw);
   }
   if (wanted.light_markers) draw_lights(renderer, base, frame);
 }
@@ -150,6 +155,20 @@ void Overlay::draw_normals(pipeline::Renderer& renderer, const pipeline::State& 
     add_vertex(lines.positions, place + direction * length);
   }
   submit(renderer, line_state(base), std::move(lines), color_of(kNormalColor));
+}
+
+/// The intermediate surface of the draw's mapping.
+void Overlay::draw_mapping(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw) {
+  const MappingLines found = mapping_lines(draw.surface.placed.mapping->surface);
+  const glm::dmat4 world_from_mapping =
+      glm::dmat4(draw.world_from_object) * glm::inverse(glm::dmat4(draw.surface.placed_from_object));
+  Lines lines;
+  for (std::size_t i = 0; i < found.places.size(); ++i) {
+    add_vertex(lines.positions, glm::vec3(world_from_mapping * glm::dvec4(found.places[i], 1.0)));
+    const bool is_seam = i >= found.first_of_seam;
+    add_vertex(lines.colors, glm::vec3(color_of(is_seam ? kSeamColor : kGridColor)));
+  }
+  submit(renderer, line_state(base), std::move(lines), glm::vec4(1.0f));
 }
 
 void Overlay::draw_lights(pipeline::Renderer& renderer, const pipeline::State& base,

@@ -30,6 +30,7 @@ class Overlay {
   void draw_edges(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw);
   void draw_normals(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw,
                     float length);
+  void draw_mapping(pipeline::Renderer& renderer, const pipeline::State& base, const Draw& draw);
   void draw_lights(pipeline::Renderer& renderer, const pipeline::State& base, const SceneFrame& frame);
   void submit(pipeline::Renderer& renderer, const pipeline::State& state, Lines lines,
               const glm::vec4& color);

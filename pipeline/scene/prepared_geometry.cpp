@@ -37,6 +37,7 @@ struct Vertices {
   std::span<const float> positions, normals, tangents, colors;
   std::array<std::span<const float>, 2> texcoords;
   std::span<const std::uint32_t> indices;
+  std::span<const float> rest;  ///< Positions before they were deformed
 };
 
 Vertices vertices_of(const Primitive& primitive) {
@@ -47,7 +48,8 @@ Vertices vertices_of(const Primitive& primitive) {
           primitive.tangents.values(),
           primitive.colors.values(),
           {primitive.texcoords[0].values(), primitive.texcoords[1].values()},
-          primitive.indices.values()};
+          primitive.indices.values(),
+          primitive.positions.values()};
 }
 
 glm::vec3 center_of(const Vertices& vertices) {
@@ -72,6 +74,7 @@ void view_in_place(PreparedGeometry& out, const Vertices& vertices) {
   out.geometry.tangent = attribute(vertices.tangents, 4);
   out.geometry.indices = vertices.indices;
   out.colors = attribute(vertices.colors, 4);
+  out.rest = attribute(vertices.rest, 3);
   for (std::size_t set = 0; set < 2; ++set) out.texcoord_sets[set] = attribute(vertices.texcoords[set], 2);
 }
 
@@ -82,6 +85,9 @@ void split_for_normals(PreparedGeometry& out, const Vertices& vertices,
   NormalSplit split = crease_angle_deg ? averaged_normals(vertices.positions, triangles, *crease_angle_deg)
                                        : flat_normals(vertices.positions, triangles);
   out.positions = gathered(vertices.positions, 3, split.source);
+  const bool is_deformed = vertices.rest.data() != vertices.positions.data();
+  if (is_deformed) out.rest_positions = gathered(vertices.rest, 3, split.source);
+  out.rest = attribute(is_deformed ? out.rest_positions : out.positions, 3);
   out.own_colors = gathered(vertices.colors, 4, split.source);
   out.normals = std::move(split.normals);
   out.indices = std::move(split.indices);
@@ -270,6 +276,23 @@ PreparedGeometry* GeometryCache::get(int mesh, int primitive, std::optional<floa
       with_tangents_.try_emplace({key, use.texcoord_set, use.with_lengths, transform});
   if (is_new) slot->second = prepare_tangents(plain, use);
   return slot->second.get();
+}
+
+const Box& GeometryCache::box_of(int mesh) {
+  const auto [slot, is_new] = boxes_.try_emplace(mesh);
+  if (!is_new) return slot->second;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Box box{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+  for (const Primitive& primitive : scene_.meshes[static_cast<std::size_t>(mesh)].primitives) {
+    const std::span<const float> positions = primitive.positions.values();
+    for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+      const glm::vec3 p(positions[i], positions[i + 1], positions[i + 2]);
+      box.low = glm::min(box.low, p);
+      box.high = glm::max(box.high, p);
+    }
+  }
+  if (box.low.x <= box.high.x) slot->second = box;
+  return slot->second;
 }
 
 }  // namespace barrido::scene

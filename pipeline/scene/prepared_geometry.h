@@ -17,6 +17,7 @@
 #include "pipeline/geometry.h"
 #include "pipeline/scene/animate.h"
 #include "pipeline/scene/scene.h"
+#include "pipeline/scene/texture_placement.h"
 
 namespace barrido::scene {
 
@@ -38,9 +39,10 @@ struct PreparedGeometry {
   std::array<pipeline::Attribute, 2> texcoord_sets;
   pipeline::Attribute colors;  ///< 4 floats a vertex, or absent
   glm::vec3 center{0, 0, 0};   ///< Middle of the bounding box, in the positions' space
+  pipeline::Attribute rest;    ///< Positions in the pose of the file
 
   DeformedVertices deformed;
-  std::vector<float> positions, normals, tangents, bitangents;
+  std::vector<float> positions, normals, tangents, bitangents, rest_positions;
   std::array<std::vector<float>, 2> texcoords;
   std::vector<float> own_colors;
   std::vector<std::uint32_t> indices;
@@ -74,6 +76,8 @@ class GeometryCache {
   /// The same with tangents; null as prepare_tangents.
   PreparedGeometry* get(int mesh, int primitive, std::optional<float> crease_angle_deg,
                         const TangentUse& use);
+  /// Of all primitives of the mesh, in the pose of the file.
+  const Box& box_of(int mesh);
 
  private:
   const Scene& scene_;
@@ -81,6 +85,7 @@ class GeometryCache {
   std::map<Key, std::unique_ptr<PreparedGeometry>> prepared_;
   std::map<std::tuple<Key, int, bool, std::array<float, 9>>, std::unique_ptr<PreparedGeometry>>
       with_tangents_;
+  std::map<int, Box> boxes_;
 };
 
 }  // namespace barrido::scene

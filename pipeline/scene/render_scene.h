@@ -80,6 +80,7 @@ struct Overlays {
   bool edges = false;    ///< Of the triangles that are seen.
   bool normals = false;  ///< Of the vertices that are seen.
   bool light_markers = false;
+  bool mapping = false;  ///< The intermediate surfaces of mappings, their seams and poles.
 };
 
 /// Every choice that `barrido render` offers for one frame.
@@ -94,6 +95,7 @@ struct RenderSettings {
   std::optional<raster::MinFilter> min_filter;  ///< Empty: the file's.
   std::optional<raster::MagFilter> mag_filter;
   bool textures = true;
+  TextureChoice texture;    ///< In place of every material's.
   bool mip_colors = false;  ///< Base colour pictures show a colour for each mip level.
   CameraChoice camera;
   std::vector<UserLight> lights;  ///< Any: these replace the file's.

@@ -21,6 +21,7 @@
 
 #include "pipeline/geometry.h"
 #include "pipeline/pictures/image.h"
+#include "pipeline/scene/texture_choice.h"
 #include "raster/fragments/fragment_state.h"
 #include "raster/textures/texture.h"
 
@@ -165,6 +166,7 @@ struct Material {
   BumpMap bump;
   TextureUse transparency_texture;  ///< R: 0 lets all through, 1 is opaque (T16)
   TextureUse specularity_texture;   ///< RGB: factor of the highlights (T16)
+  TextureChoice texture;            ///< extras.barrido; never a picture.
 };
 
 /// Differences, one element a vertex; each may be empty.

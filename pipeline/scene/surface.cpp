@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/scene/surface_builder.h"
+#include "pipeline/scene/texture_placement.h"
 
 namespace barrido::scene {
 namespace {
@@ -13,7 +14,9 @@ SurfaceContext context_of(const Material& material, bool has_colors, const Surfa
                           TextureCache& textures) {
   SurfaceContext context;
   context.vertex_colors = has_colors;
-  if (options.textures && textures.usable(material.base_color_texture.texture)) {
+  if (options.textures && material.texture.solid) {
+    context.base_color = mean_color(material.texture.solid->pattern);
+  } else if (options.textures && textures.usable(material.base_color_texture.texture)) {
     context.base_color = textures.mean(material.base_color_texture.texture, options.encoding);
   }
   if (textures.usable(material.metallic_roughness_texture.texture)) {
@@ -28,7 +31,7 @@ SurfaceContext context_of(const Material& material, bool has_colors, const Surfa
 void set_unlit(SurfaceState& surface, const Material& material, SurfaceBuilder& builder) {
   surface.lit = false;
   surface.color = material.base_color;
-  if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
+  builder.add_base_color(material);
 }
 
 void set_material(SurfaceState& surface, const SurfaceCoefficients& coefficients, const ExactMaterial& exact,
@@ -124,7 +127,7 @@ void set_lit(SurfaceState& surface, const Material& material, const Material* hi
   }
   const bool reflects = coefficients.reflectance != glm::vec3(0.0f);
   if (reflects && coefficients.reflection_before_texture) builder.add_reflection(coefficients.reflectance);
-  if (builder.can_use(material.base_color_texture)) builder.add_base_color(material.base_color_texture);
+  builder.add_base_color(material);
   if (reflects && !coefficients.reflection_before_texture) builder.add_reflection(coefficients.reflectance);
   set_emission(surface, material, coefficients.emission, options, textures, builder);
   add_maps(surface, material, options, builder);
@@ -240,7 +243,7 @@ struct SurfaceMaker {
       tint *= layers.transmission;
     }
     surface.color = glm::vec4(tint, source.base_color.a);
-    if (builder.can_use(source.base_color_texture)) builder.add_base_color(source.base_color_texture);
+    builder.add_base_color(source);
     return surface;
   }
 
@@ -303,6 +306,8 @@ std::vector<SurfaceState> make_surfaces(const Scene& scene, const SurfaceUse& us
   Material source = changed(
       use.material == kNone ? kDefaultMaterial : scene.materials[static_cast<std::size_t>(use.material)],
       given.material);
+  source.texture = chosen(std::move(source.texture), given.texture);
+  if (given.texture.picture) source.base_color_texture = {kGivenPicture};
   if (source.unlit || !use.has_normals) source.layers = nullptr;
   const bool has_place = use.primitive == nullptr || !use.primitive->texcoords[0].empty();
   if (!has_place && (given.maps.bump || given.maps.transparency || given.maps.specularity)) {

@@ -27,9 +27,13 @@ struct SurfaceOptions {
   bool mip_colors = false;  ///< As TexelUse::mip_colors, for base colours.
   MaterialOverride material;
   MapOverride maps;
-  bool fragment_normals = true;  ///< Fragments have normals of their own, which maps can change,
-  bool fragment_light = true;    ///< and ambient light, which maps can weaken.
-  int variant = kNone;           ///< Of Scene::variants
+  bool fragment_normals = true;    ///< Fragments have normals of their own, which maps can change,
+  bool fragment_light = true;      ///< and ambient light, which maps can weaken.
+  TextureChoice texture;           ///< In place of the materials'.
+  float scene_size = 1.0f;         ///< Diameter, in the world.
+  glm::dvec3 origin{0, 0, 0};      ///< Of the frame's world in the file's.
+  glm::mat4 eye_from_world{1.0f};  ///< Of the frame's view.
+  int variant = kNone;             ///< Of Scene::variants
 };
 
 /// How a draw meets what is there already.
@@ -54,10 +58,13 @@ struct SurfaceState {
   std::array<glm::mat4, raster::kMaxTextureUnits> texture_matrix{};
   std::array<int, raster::kMaxTextureUnits> texcoord_set;  ///< TEXCOORD_n of a unit, or kNone
   int unit_count = 0;
-  int reflection_unit = kNone;       ///< The unit that is to have the environment's cube map
-  float reflection_exponent = 0.0f;  ///< Of the lobe in which the surface gathers its environment
-  int normal_unit = kNone;           ///< The unit whose map changes normals,
-  TangentUse tangents;               ///< and what it is to know of the surface
+  int placed_unit = kNone;             ///< The unit whose coordinates come from positions or a mapping
+  TextureChoice placed;                ///< What it shows
+  glm::mat4 placed_from_object{1.0f};  ///< To the pattern or the mapping
+  int reflection_unit = kNone;         ///< The unit that is to have the environment's cube map
+  float reflection_exponent = 0.0f;    ///< Of the lobe in which the surface gathers its environment
+  int normal_unit = kNone;             ///< The unit whose map changes normals,
+  TangentUse tangents;                 ///< and what it is to know of the surface
   /// Maps that the shading mode has no place for: of normals, of ambient light.
   bool drops_normals = false, drops_occlusion = false;
 

@@ -1,5 +1,7 @@
 #include "pipeline/scene/surface_builder.h"
 
+#include "pipeline/scene/texture_placement.h"
+
 namespace barrido::scene {
 namespace {
 
@@ -30,12 +32,53 @@ raster::CombineState combine_colors(raster::CombineFunction function,
 
 }  // namespace
 
-void SurfaceBuilder::add_base_color(const TextureUse& use) {
+void SurfaceBuilder::add_base_color(const Material& material) {
+  const TextureChoice& choice = material.texture;
+  if (choice.solid && options_.textures) return add_solid(material);
+  if (!can_use(material.base_color_texture)) return;
   TexelUse texels;
   texels.opaque = surface_.alpha_mode == AlphaMode::opaque;
   texels.mip_colors = options_.mip_colors;
   texels.encoding = options_.encoding;
-  add_texture(use, texels, raster::TextureEnvMode::modulate);
+  add_texture(material.base_color_texture, texels, raster::TextureEnvMode::modulate);
+  raster::TextureUnit& unit = surface_.units[static_cast<std::size_t>(surface_.unit_count - 1)];
+  unit.tiles = choice.tiles.value_or(raster::TileChange::none);
+  if (choice.mapping) place(choice);
+}
+
+void SurfaceBuilder::place(const TextureChoice& choice) {
+  const auto index = static_cast<std::size_t>(surface_.unit_count - 1);
+  surface_.placed_unit = surface_.unit_count - 1;
+  surface_.placed = choice;
+  if (choice.mapping) surface_.units[index].mapping = mapping_of(*choice.mapping);
+  surface_.texcoord_set[index] = kNone;
+}
+
+void SurfaceBuilder::add_solid(const Material& material) {
+  const SolidTexture& solid = *material.texture.solid;
+  const bool on_surface = solid.space == SolidTexture::Space::surface;
+  const auto index = static_cast<std::size_t>(surface_.unit_count);
+  raster::TextureUnit& unit = next_unit();
+  unit.env_mode = raster::TextureEnvMode::modulate;
+  unit.pattern = solid.pattern;
+  unit.procedure = on_surface ? &raster::kSurfacePattern : &raster::kSolidPattern;
+  if (surface_.alpha_mode == AlphaMode::opaque) {
+    for (std::array<float, 4>& color : unit.pattern.colors) color[3] = 1.0f;
+  }
+  TextureChoice choice = material.texture;
+  if (!on_surface) choice.mapping.reset();
+  const float cells = solid.scale > 0.0f ? 1.0f / solid.scale : 8.0f;
+  if (choice.mapping) {
+    choice.mapping->repeats *= cells;
+    choice.mapping->offset *= cells;
+  }
+  if (!on_surface || choice.mapping) return place(choice);
+  surface_.texcoord_set[index] = material.base_color_texture.texcoord_set;
+  glm::mat4& matrix = surface_.texture_matrix[index] = texture_matrix(material.base_color_texture.transform);
+  for (int c = 0; c < 4; ++c) {
+    matrix[c].x *= cells;
+    matrix[c].y *= cells;
+  }
 }
 
 void SurfaceBuilder::add_factor(const TextureUse& use, TexelUse::Channels channels, float factor) {
@@ -111,7 +154,7 @@ void SurfaceBuilder::set_bump_form(raster::BumpForm form) {
 }
 
 void SurfaceBuilder::add_texture(const TextureUse& use, TexelUse texels, raster::TextureEnvMode mode) {
-  const Texture& source = scene_.textures[static_cast<std::size_t>(use.texture)];
+  const Texture& source = textures_.sampler(use.texture);
   const auto index = static_cast<std::size_t>(surface_.unit_count);
   raster::TextureUnit& unit = next_unit();
   unit.min_filter = options_.min_filter.value_or(source.min_filter);

@@ -1,5 +1,5 @@
 // The texture units of a surface, one after the other, in the order of the texturing. Enters: uses of
-// textures; leaves: units with their pictures, coordinates and environments. Knows no material.
+// textures; leaves: units with their pictures, procedures, coordinates and environments.
 #pragma once
 
 #include "pipeline/scene/surface.h"
@@ -15,7 +15,8 @@ class SurfaceBuilder {
 
   bool can_use(const TextureUse& use) const { return options_.textures && textures_.usable(use.texture); }
 
-  void add_base_color(const TextureUse& use);
+  /// The base colour's texture, if there is one: a procedure, or a picture, which a mapping may place.
+  void add_base_color(const Material& material);
   /// One channel of a picture, as greys, times `factor`.
   void add_factor(const TextureUse& use, TexelUse::Channels channels, float factor);
   void add_emissive(const TextureUse& use, const glm::vec3& factor);
@@ -35,6 +36,9 @@ class SurfaceBuilder {
   bool has_room() const { return surface_.unit_count < raster::kMaxTextureUnits; }
   raster::TextureUnit& next_unit() { return surface_.units[static_cast<std::size_t>(surface_.unit_count++)]; }
   void add_texture(const TextureUse& use, TexelUse texels, raster::TextureEnvMode mode);
+  void add_solid(const Material& material);
+  /// The last unit's coordinates come from the draw's positions.
+  void place(const TextureChoice& choice);
   void set_role(raster::TextureRole role, float strength);
 
   const Scene& scene_;

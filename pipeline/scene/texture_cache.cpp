@@ -127,20 +127,41 @@ bool uses_mipmaps(raster::MinFilter filter) {
   return filter != raster::MinFilter::nearest && filter != raster::MinFilter::linear;
 }
 
+void TextureCache::give(const std::shared_ptr<const Image>& picture) {
+  if (picture == given_) return;
+  given_ = picture;
+  has_alpha_.erase(kGivenPicture);
+  std::erase_if(textures_, [](const auto& entry) { return std::get<0>(entry.first) == kGivenPicture; });
+  std::erase_if(means_, [](const auto& entry) { return entry.first.first == kGivenPicture; });
+}
+
+const Texture& TextureCache::source(int texture) const {
+  static const Texture kGiven = [] {
+    Texture given;
+    given.image = kGivenPicture;
+    return given;
+  }();
+  return texture == kGivenPicture ? kGiven : scene_.textures[static_cast<std::size_t>(texture)];
+}
+
+const Image& TextureCache::image(int image) const {
+  return image == kGivenPicture ? *given_ : scene_.images[static_cast<std::size_t>(image)];
+}
+
 bool TextureCache::usable(int texture) const {
-  if (texture == kNone) return false;
-  const int image = scene_.textures[static_cast<std::size_t>(texture)].image;
-  return image != kNone && !scene_.images[static_cast<std::size_t>(image)].rgba.empty();
+  if (texture == kNone || (texture == kGivenPicture && !given_)) return false;
+  const int number = source(texture).image;
+  return number != kNone && !image(number).rgba.empty();
 }
 
 bool TextureCache::has_alpha(int image) {
   const auto [slot, is_new] = has_alpha_.try_emplace(image, false);
-  if (is_new) slot->second = !is_opaque(scene_.images[static_cast<std::size_t>(image)].rgba);
+  if (is_new) slot->second = !is_opaque(this->image(image).rgba);
   return slot->second;
 }
 
 const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
-  const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
+  const Texture& source = this->source(texture);
   const bool removes_alpha = use.opaque && has_alpha(source.image);
   const Key key{source.image,   source.wrap_s, source.wrap_t,
                 use.encoding,   use.mipmaps,   removes_alpha,
@@ -148,7 +169,7 @@ const raster::Texture& TextureCache::get(int texture, const TexelUse& use) {
   const auto found = textures_.find(key);
   if (found != textures_.end()) return found->second;
 
-  const Image& image = scene_.images[static_cast<std::size_t>(source.image)];
+  const Image& image = this->image(source.image);
   raster::TextureOptions options;
   options.wrap_s = source.wrap_s;
   options.wrap_t = source.wrap_t;
@@ -176,8 +197,8 @@ const raster::Texture& TextureCache::white() {
 }
 
 glm::vec4 TextureCache::texel(int texture, const glm::vec2& coordinates, raster::Encoding encoding) const {
-  const Texture& source = scene_.textures[static_cast<std::size_t>(texture)];
-  const Image& image = scene_.images[static_cast<std::size_t>(source.image)];
+  const Texture& source = this->source(texture);
+  const Image& image = this->image(source.image);
   const auto column = static_cast<std::size_t>(nearest_texel(coordinates.x, image.width, source.wrap_s));
   const auto row = static_cast<std::size_t>(nearest_texel(coordinates.y, image.height, source.wrap_t));
   const std::uint8_t* rgba = image.rgba.data() + 4 * (row * static_cast<std::size_t>(image.width) + column);
@@ -190,11 +211,11 @@ glm::vec4 TextureCache::texel(int texture, const glm::vec2& coordinates, raster:
 }
 
 glm::vec3 TextureCache::mean(int texture, raster::Encoding encoding) {
-  const int index = scene_.textures[static_cast<std::size_t>(texture)].image;
+  const int index = source(texture).image;
   const auto [slot, is_new] = means_.try_emplace({index, encoding}, glm::vec3(0.0f));
   if (!is_new) return slot->second;
   // Histograms first: sums of integers do not depend on the order, and decoding is done 256 times only.
-  const Image& image = scene_.images[static_cast<std::size_t>(index)];
+  const Image& image = this->image(index);
   const Histogram histogram = color_histogram(image.rgba);
   const auto texels = static_cast<double>(std::max<std::size_t>(image.rgba.size() / 4, 1));
   for (int channel = 0; channel < 3; ++channel) {

@@ -31,12 +31,22 @@ struct TexelUse {
 
 bool uses_mipmaps(raster::MinFilter filter);
 
+/// In place of the number of a scene's texture: the picture that the user gave, repeated and filtered as
+/// glTF's default is.
+inline constexpr int kGivenPicture = -2;
+
 class TextureCache {
  public:
   explicit TextureCache(const Scene& scene) : scene_(scene) {}
 
-  /// Whether the scene's texture `texture` (or kNone) has a picture that could be read.
+  /// The picture that kGivenPicture means from now on; null: none.
+  void give(const std::shared_ptr<const Image>& picture);
+
+  /// Whether the scene's texture `texture` (or kNone, or kGivenPicture) has a picture that could be read.
   bool usable(int texture) const;
+
+  /// How the texture is wrapped and filtered.
+  const Texture& sampler(int texture) const { return source(texture); }
 
   /// Texture `texture` of the scene, which must be usable.
   const raster::Texture& get(int texture, const TexelUse& use);
@@ -54,11 +64,14 @@ class TextureCache {
   using Key = std::tuple<int, raster::Wrap, raster::Wrap, raster::Encoding, bool, bool, bool,
                          TexelUse::Channels, std::array<float, 3>>;
 
+  const Texture& source(int texture) const;
+  const Image& image(int image) const;
   bool has_alpha(int image);
   raster::Texture build(const Image& image, const TexelUse& use, bool removes_alpha,
                         const raster::TextureOptions& options);
 
   const Scene& scene_;
+  std::shared_ptr<const Image> given_;
   std::map<int, bool> has_alpha_;
   std::map<Key, raster::Texture> textures_;
   std::map<std::pair<int, raster::Encoding>, glm::vec3> means_;

@@ -59,6 +59,33 @@ inline float portable_pow(float x, float n) {
   return x > 0.0f ? portable_exp2(n * portable_log2(x)) : 0.0f;
 }
 
+/// The angle of (x, y) in turns, from −½ to ½, counter-clockwise from +x; 0 for (0, 0). Absolute error below
+/// 4e-8. Same bits as the vector form.
+///
+/// atan(r)/2π for r in [0, 1] is r times a polynomial in r² (Chebyshev interpolation of degree 9).
+inline float portable_turn(float y, float x) {
+  const float ax = std::fabs(x);
+  const float ay = std::fabs(y);
+  const bool is_steep = ay > ax;
+  const float larger = is_steep ? ay : ax;
+  const float r = (is_steep ? ax : ay) / (larger > 1e-30f ? larger : 1e-30f);
+  const float r2 = r * r;
+  float p = -0.000270749611f;
+  p = p * r2 + 0.00166916116f;
+  p = p * r2 - 0.0048306492f;
+  p = p * r2 + 0.00908608492f;
+  p = p * r2 - 0.013289f;
+  p = p * r2 + 0.0173993619f;
+  p = p * r2 - 0.0226955205f;
+  p = p * r2 + 0.0318279253f;
+  p = p * r2 - 0.0530515569f;
+  p = p * r2 + 0.159154943f;
+  float turn = p * r;
+  if (is_steep) turn = 0.25f - turn;
+  if (x < 0.0f) turn = 0.5f - turn;
+  return y < 0.0f ? -turn : turn;
+}
+
 /// Sine and cosine of x radians, absolute error below 1e-15 for |x| < 1e6.
 double portable_sin(double x);
 double portable_cos(double x);

@@ -56,17 +56,30 @@ struct FragmentStage {
   Varying makes{};                   ///< What it computes that no vertex gives.
 };
 
-/// What makes the texels of a unit in place of a picture: a function of the unit's coordinates.
+/// Where procedures are evaluated: `count` points, in arrays of whole vectors. `extent` is the width, along
+/// each coordinate, of the box that a pixel covers there; what is finer must fade.
+struct ProcedurePoints {
+  int count = 0;
+  std::array<const float*, 3> at{};
+  std::array<const float*, 3> extent{};
+};
+
+/// What makes the texels of a unit in place of a picture: a function of the unit's coordinates. Its
+/// parameters are the unit's (TextureUnit::pattern).
 struct TextureProcedure {
   std::string_view name;
-  int coordinates = 3;  ///< How many it reads: 2 (s, t) or 3 (s, t, r).
-  /// texel[channel][fragment] of the whole batch.
-  void (*vector)(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]) = nullptr;
+  int coordinates = 3;  ///< How many it reads: 2 (s, t; the third is ½) or 3 (s, t, r).
+  /// texel[channel][point] of all points. @return how often it evaluated noise.
+  std::uint64_t (*vector)(const TextureUnit& unit, const ProcedurePoints& points,
+                          float (*texel)[kBatchStride]) = nullptr;
   /// The same for one. Remembers what it used in the trace unless that is null.
-  std::array<float, 4> (*scalar)(const TextureUnit& unit, const float (&coordinates)[3],
+  std::array<float, 4> (*scalar)(const TextureUnit& unit, const float (&at)[3], const float (&extent)[3],
                                  reference::UnitTrace* trace) = nullptr;
   std::string_view story;
 };
+
+/// TextureUnit::pattern: in space, and on a surface with two coordinates.
+extern const TextureProcedure kSolidPattern, kSurfacePattern;
 
 /// Takes the colours that light made, the vertices gave or the primitive has, and clamps them.
 extern const StageKind kTakeColors;

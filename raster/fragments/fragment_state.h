@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "raster/fragments/fragment_stage.h"
+#include "raster/textures/mapping.h"
+#include "raster/textures/pattern.h"
 #include "raster/textures/texture.h"
 
 namespace barrido::raster {
@@ -149,6 +151,9 @@ struct TextureUnit {
   TextureRole role = TextureRole::environment;
   const Texture* texture = nullptr;
   const TextureProcedure* procedure = nullptr;  ///< In place of a texture.
+  Pattern pattern;                              ///< What the procedure makes.
+  Mapping mapping;                              ///< Makes (s, t) of a point.
+  TileChange tiles = TileChange::none;          ///< Of two-dimensional coordinates.
   MinFilter min_filter = MinFilter::nearest_mipmap_linear;
   MagFilter mag_filter = MagFilter::linear;
   float lod_bias = 0.0f;
@@ -163,7 +168,7 @@ struct TextureUnit {
 enum class TexcoordKind : std::uint8_t {
   plain,       ///< 2 varyings (s, t): a two-dimensional texture.
   projective,  ///< 3 varyings (s, t, q): a two-dimensional texture sampled at (s/q, t/q).
-  direct,      ///< 3 varyings (s, t, r): a direction into a cube map, or a place in a solid.
+  direct,      ///< 3 varyings (s, t, r): a direction into a cube map, or a place in a solid or mapping.
 };
 constexpr int floats_of(TexcoordKind kind) { return kind == TexcoordKind::plain ? 2 : 3; }
 
@@ -213,11 +218,27 @@ inline bool is_lit(const FragmentState& state) {
   return false;
 }
 
+/// Whether a unit's coordinates are a point in space, of a procedure or to be mapped.
+inline bool has_point(const FragmentState& state, int unit) {
+  const TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  const bool is_mapped = texture.mapping.surface != MappingSurface::none;
+  return is_mapped || (texture.procedure != nullptr && state.varyings.floats(Meaning::texcoord, unit) == 3);
+}
+
+/// What a unit's coordinates are when its texture is looked up: a mapping has made two of its point.
 inline TexcoordKind texcoord_kind(const FragmentState& state, int unit) {
   const TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
-  if (state.varyings.floats(Meaning::texcoord, unit) == 2) return TexcoordKind::plain;
+  const bool is_mapped = texture.mapping.surface != MappingSurface::none;
+  if (is_mapped || state.varyings.floats(Meaning::texcoord, unit) == 2) return TexcoordKind::plain;
   const bool is_picture = texture.procedure == nullptr && !texture.texture->is_cube();
   return is_picture ? TexcoordKind::projective : TexcoordKind::direct;
+}
+
+/// Whether a unit's coordinates are changed tile by tile: those of a picture that colours.
+inline bool changes_tiles(const FragmentState& state, int unit) {
+  const TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  return texture.tiles != TileChange::none && texture.procedure == nullptr &&
+         texture.role == TextureRole::environment && texcoord_kind(state, unit) == TexcoordKind::plain;
 }
 
 }  // namespace barrido::raster

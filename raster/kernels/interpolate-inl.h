@@ -88,12 +88,21 @@ inline std::array<int, 3> lod_quantities(const VaryingList& varyings, int unit) 
   return {s, s + 1, varyings.floats(Meaning::texcoord, unit) == 2 ? kRecordQ : s + 2};
 }
 
+/// Those of a point in space beside its three coordinates.
+inline std::array<int, 4> point_quantities(const VaryingList& varyings, const Mapping& mapping) {
+  if (!needs_normal(mapping)) return {kRecordQ, kAbsent, kAbsent, kAbsent};
+  const int normal = kRecordVaryings + varyings.at(Meaning::normal);
+  return {kRecordQ, normal, normal + 1, normal + 2};
+}
+
 /// Appends the run's groups of four pixels to the unit's groups: what their level of detail depends on.
 HWY_INLINE void append_lod_groups(const InterpolatedSpan& span, const FragmentState& state, int unit, int x,
                                   int count, LodGroups& groups, int at) {
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const std::array<int, 3> quantities = lod_quantities(state.varyings, unit);
+  const bool is_point = has_point(state, unit);
+  const std::array<int, 4> more = point_quantities(state.varyings, state.texture_units[unit].mapping);
   const int first = x & ~3;
   const int group_count = lod_groups_in(x, count);
   for (int g = 0; g < group_count; g += lanes) {
@@ -102,13 +111,15 @@ HWY_INLINE void append_lod_groups(const InterpolatedSpan& span, const FragmentSt
     center = minimum(maximum(center, hn::Set(d, static_cast<float>(span.anchor))),
                      hn::Set(d, static_cast<float>(span.last)));
     const auto k = hn::Sub(center, hn::Set(d, static_cast<float>(span.anchor)));
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-      const int quantity = quantities[i];
+    const auto append = [&](std::size_t i, int quantity) HWY_ATTR {
       const auto dx = hn::Set(d, span.planes->slope_x[quantity]);
       hn::StoreU(hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(dx, k)), d, groups.value[i] + at + g);
       hn::StoreU(dx, d, groups.dx[i] + at + g);
       hn::StoreU(hn::Set(d, span.planes->slope_y[quantity]), d, groups.dy[i] + at + g);
-    }
+    };
+    for (std::size_t i = 0; i < quantities.size(); ++i) append(i, quantities[i]);
+    if (!is_point) continue;
+    for (std::size_t i = 0; i < more.size() && more[i] != kAbsent; ++i) append(3 + i, more[i]);
   }
 }
 

@@ -22,6 +22,20 @@ inline std::uint64_t quantities_a_fragment(const VaryingList& varyings) {
 void find_levels(const LodGroups& groups, int group_count, int unit, const FragmentBatch& batch,
                  SampleLevels& levels);
 
+/// Width of the box in the unit's coordinates that a pixel of each fragment covers, for a unit with a
+/// procedure: extent[coordinate][fragment]. Whole vectors.
+void find_extents(const LodGroups& groups, int group_count, int unit, const FragmentBatch& batch,
+                  float (*extent)[kBatchStride]);
+
+/// The unit's points become two coordinates, in place, by its mapping.
+void map_coordinates(FragmentBatch& batch, int unit);
+
+/// The unit's two coordinates are changed tile by tile, in place.
+void change_tiles(FragmentBatch& batch, int unit);
+
+/// The pattern's value in [0, 1] at every point. @return how often noise was evaluated.
+std::uint64_t pattern_values(const Pattern& pattern, const ProcedurePoints& points, float* value);
+
 /// Samples `unit`'s texture for every fragment of the batch: texel[channel][fragment] in [0, 1].
 /// @return texels read.
 std::uint64_t sample_texture(const FragmentBatch& batch, int unit, const SampleLevels& levels,

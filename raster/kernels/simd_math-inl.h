@@ -79,6 +79,31 @@ HWY_INLINE V Exp2(D d, V x) {
   return hn::IfThenZeroElse(hn::Lt(x, low), hn::Mul(p, scale));
 }
 
+/// See portable_turn.
+template <class D, class V>
+HWY_INLINE V Turn(D d, V y, V x) {
+  const auto ax = hn::Abs(x);
+  const auto ay = hn::Abs(y);
+  const auto is_steep = hn::Gt(ay, ax);
+  const auto larger = hn::IfThenElse(is_steep, ay, ax);
+  const auto r = hn::Div(hn::IfThenElse(is_steep, ax, ay), maximum(larger, hn::Set(d, 1e-30f)));
+  const auto r2 = hn::Mul(r, r);
+  auto p = hn::Set(d, -0.000270749611f);
+  p = hn::Add(hn::Mul(p, r2), hn::Set(d, 0.00166916116f));
+  p = hn::Sub(hn::Mul(p, r2), hn::Set(d, 0.0048306492f));
+  p = hn::Add(hn::Mul(p, r2), hn::Set(d, 0.00908608492f));
+  p = hn::Sub(hn::Mul(p, r2), hn::Set(d, 0.013289f));
+  p = hn::Add(hn::Mul(p, r2), hn::Set(d, 0.0173993619f));
+  p = hn::Sub(hn::Mul(p, r2), hn::Set(d, 0.0226955205f));
+  p = hn::Add(hn::Mul(p, r2), hn::Set(d, 0.0318279253f));
+  p = hn::Sub(hn::Mul(p, r2), hn::Set(d, 0.0530515569f));
+  p = hn::Add(hn::Mul(p, r2), hn::Set(d, 0.159154943f));
+  const auto octant = hn::Mul(p, r);
+  const auto quarter = hn::IfThenElse(is_steep, hn::Sub(hn::Set(d, 0.25f), octant), octant);
+  const auto half = hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, 0.5f), quarter), quarter);
+  return hn::IfThenElse(hn::Lt(y, hn::Zero(d)), hn::Neg(half), half);
+}
+
 /// See portable_pow; the exponent is one number for all lanes.
 template <class D, class V>
 HWY_INLINE V Pow(D d, V x, float n) {

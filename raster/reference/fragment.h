@@ -10,7 +10,8 @@ struct Fragment {
   const FragmentState* state = nullptr;
   bool back_facing = false;
   float depth = 0.0f;
-  float lod[kMaxTextureUnits] = {};  ///< λ before the unit's bias (OpenGL 1.3, section 3.8.8).
+  float lod[kMaxTextureUnits] = {};        ///< λ before the unit's bias (OpenGL 1.3, section 3.8.8).
+  float extent[kMaxTextureUnits][3] = {};  ///< Of procedures; see ProcedurePoints.
   float varying[kMaxVaryings] = {};  ///< Interpolated and perspective-corrected; then what stages compute.
   Color color{};                     ///< The primitive's where it is flat; then what the stages make of it.
   Color specular{};                  ///< Secondary colour; no alpha.

@@ -53,8 +53,11 @@ void interpolate_at(const SpanQuantities& along, int x, Fragment& fragment) {
     fragment.varying[k] = k < varyings.affine_count ? value : value * w;
   }
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    fragment.lod[unit] =
-        has_picture(*fragment.state, unit) ? level_of_detail(*fragment.state, unit, along, x) : 0.0f;
+    const bool is_picture = has_picture(*fragment.state, unit);
+    fragment.lod[unit] = is_picture ? level_of_detail(*fragment.state, unit, along, x) : 0.0f;
+    if (is_active(*fragment.state, unit) && !is_picture) {
+      pixel_extent(*fragment.state, unit, along, x, fragment.extent[unit]);
+    }
   }
 }
 

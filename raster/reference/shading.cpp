@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "raster/base/portable_math.h"
+#include "raster/reference/mapping.h"
 #include "raster/reference/sampling.h"
 #include "raster/reference/texture_environment.h"
 
@@ -14,6 +15,37 @@ namespace {
 Color clamped(Color color) {
   for (float& channel : color) channel = clamp_to_unit(channel);
   return color;
+}
+
+Note note_of(std::string_view name, std::initializer_list<float> values) { return {name, values}; }
+
+/// (s, t) of the unit's point by its mapping.
+void map_point(const Fragment& fragment, const Mapping& mapping, float (&coordinates)[3], UnitTrace* trace) {
+  Point normal{};
+  if (needs_normal(mapping)) {
+    std::copy_n(fragment.varying + fragment.state->varyings.at(Meaning::normal), 3, normal.begin());
+  }
+  const MappedPlace at = reach_surface(mapping, {coordinates[0], coordinates[1], coordinates[2]}, normal);
+  const std::array<float, 2> mapped = mapped_coordinates(mapping, at);
+  if (trace != nullptr) {
+    const std::array<float, 2> uv = surface_coordinates(mapping, at);
+    trace->notes.push_back(
+        note_of("place on the intermediate surface", {at.place[0], at.place[1], at.place[2]}));
+    trace->notes.push_back(note_of("its (u, v)", {uv[0], uv[1]}));
+    trace->notes.push_back(note_of("coordinates by the mapping", {mapped[0], mapped[1]}));
+  }
+  coordinates[0] = mapped[0];
+  coordinates[1] = mapped[1];
+  coordinates[2] = 0.0f;
+}
+
+void change_tile_of(const TextureUnit& unit, float (&coordinates)[3], UnitTrace* trace) {
+  const TilePlace tile = change_tile(unit.tiles, coordinates[0], coordinates[1]);
+  std::copy_n(tile.coordinates.begin(), 2, coordinates);
+  if (trace == nullptr) return;
+  trace->notes.push_back(note_of("tile", {static_cast<float>(tile.i), static_cast<float>(tile.j)}));
+  trace->notes.push_back(note_of("its quarter turns", {static_cast<float>(tile.quarter_turns)}));
+  trace->notes.push_back(note_of("its shift", {tile.shift_s, tile.shift_t}));
 }
 
 }  // namespace
@@ -32,11 +64,15 @@ Color unit_texel(const Fragment& fragment, int unit, UnitTrace* trace, const std
     std::copy_n(coordinates, 3, trace->coordinates);
     trace->lod = fragment.lod[unit];
   }
+  const TexcoordKind kind = texcoord_kind(*fragment.state, unit);
+  if (state.mapping.surface != MappingSurface::none) map_point(fragment, state.mapping, coordinates, trace);
   if (state.procedure == nullptr) {
-    return sample_texture(state, texcoord_kind(*fragment.state, unit), coordinates, fragment.lod[unit],
+    if (changes_tiles(*fragment.state, unit)) change_tile_of(state, coordinates, trace);
+    return sample_texture(state, kind, coordinates, fragment.lod[unit],
                           trace != nullptr ? &trace->sample : nullptr);
   }
-  const Color texel = state.procedure->scalar(state, coordinates, trace);
+  if (kind == TexcoordKind::plain) coordinates[2] = 0.5f;
+  const Color texel = state.procedure->scalar(state, coordinates, fragment.extent[unit], trace);
   if (trace != nullptr) trace->sample.color = texel;
   return texel;
 }

@@ -89,7 +89,9 @@ KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface) {
   key.fills_secondary = !lit && !state.varyings.has(Meaning::specular) && state.separate_specular;
   key.unit_colors = state.clamp_colors && state.stages.back().kind->clamps;
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if (has_picture(state, unit) && needs_lod(state.texture_units[unit])) key.lod_units |= 1u << unit;
+    if (!is_active(state, unit)) continue;
+    const TextureUnit& texture = state.texture_units[unit];
+    if (texture.procedure != nullptr || needs_lod(texture)) key.lod_units |= 1u << unit;
   }
   return key;
 }

@@ -21,6 +21,9 @@ struct RasterStatistics {
   /// addition each in the incremental form (S5).
   std::uint64_t interpolations = 0;
   std::uint64_t texel_fetches = 0;  ///< Texels read by the filters.
+  std::uint64_t mapped = 0;         ///< Fragments whose coordinates a mapping made.
+  std::uint64_t patterns = 0;       ///< Fragments whose texels a procedure made,
+  std::uint64_t noise = 0;          ///< and evaluations of noise for them.
 };
 
 }  // namespace barrido::raster

@@ -62,13 +62,18 @@ struct VisibleRun {
   std::int32_t next;  ///< Next run of the same primitive, or -1.
 };
 
+/// Quantities that the footprint of a texture unit depends on: two coordinates and what they are divided by;
+/// the three of a cube map; or those of a point, what they are divided by, and a normal.
+inline constexpr int kPointQuantities = 4;
+inline constexpr int kMostLodQuantities = 7;
+
 /// What a texture unit's level of detail depends on, for every group of four pixels of a row (columns 4n … 4n
-/// + 3 of the tile) that fragments of the batch come from, run by run: two coordinates and what they are
-/// divided by, or the three of a cube map, at the group's centre, with their screen derivatives.
+/// + 3 of the tile) that fragments of the batch come from, run by run: the quantities at the group's centre,
+/// with their screen derivatives.
 struct LodGroups {
-  alignas(64) float value[3][kBatchStride];
-  alignas(64) float dx[3][kBatchStride];
-  alignas(64) float dy[3][kBatchStride];
+  alignas(64) float value[kMostLodQuantities][kBatchStride];
+  alignas(64) float dx[kMostLodQuantities][kBatchStride];
+  alignas(64) float dy[kMostLodQuantities][kBatchStride];
 };
 
 /// Groups that `count` pixels from column x on come from.
@@ -91,6 +96,7 @@ struct TileWorkspace {
   /// Levels and results of the texture unit that is being sampled.
   SampleLevels levels;
   alignas(64) float texel[4][kBatchStride];
+  alignas(64) float extent[3][kBatchStride];  ///< Of procedures; see ProcedurePoints.
   /// Primary colours, for texture environments that ask for them after the first unit.
   alignas(64) float primary[4][kBatchStride];
   std::vector<TilePrimitive> primitives;

@@ -96,6 +96,19 @@ void add_normal_map(ScenePair& scene, int side) {
   unit.min_filter = raster::MinFilter::linear_mipmap_linear;
 }
 
+/// Layers across a slanted axis; the coordinates are the positions.
+void cut_of_marble(DrawCall& draw) {
+  raster::TextureUnit& unit = draw.state.texture_units[0];
+  unit.procedure = &raster::kSolidPattern;
+  unit.pattern.kind = raster::PatternKind::marble;
+  unit.pattern.octaves = 6;
+  unit.pattern.turbulence = 1.5f;
+  unit.pattern.colors = {{{0.1f, 0.12f, 0.16f, 1}, {0.9f, 0.88f, 0.84f, 1}}};
+  draw.state.texture_coordinates[0].matrix = pipeline::rotation(0.5, {1, 0, 1});
+  draw.mesh.texcoord[0] = draw.mesh.position;
+  draw.mesh.texcoord_components[0] = 3;
+}
+
 }  // namespace
 
 ScenePair reflecting_grid(const Scale& scale, raster::MinFilter min_filter) {
@@ -184,6 +197,7 @@ ScenePair ellipsoid(const Scale& scale, const EllipsoidOptions& options) {
     if ((at_top && is_first) || (at_bottom && !is_first)) continue;
     draw.mesh.indices.insert(draw.mesh.indices.end(), {a, b, c});
   }
+  if (options.marble) cut_of_marble(draw);
   return scene;
 }
 

@@ -30,6 +30,7 @@ constexpr EllipsoidOptions kMillion{1000, 501, 0.98};
 constexpr EllipsoidOptions kBunny{265, 133, 0.874};
 constexpr EllipsoidOptions kBunnyPhong{265, 133, 0.874, pipeline::ShadeModel::phong};
 constexpr EllipsoidOptions kBunnyBumps{265, 133, 0.874, pipeline::ShadeModel::phong, 1, 1024};
+constexpr EllipsoidOptions kBunnyMarble{265, 133, 0.874, pipeline::ShadeModel::phong, 1, 0, true};
 
 }  // namespace
 
@@ -61,6 +62,7 @@ const std::vector<Workload>& workloads() {
        [](S s) { return ground_layers(s, front_to_back(ground(kTrilinear))); }},
       {"W17", "69,960 triangles, normal map", kOther, [](S s) { return ellipsoid(s, kBunnyBumps); },
        Unit::triangles},
+      {"W18", "W9 in marble of six octaves", kOther, [](S s) { return ellipsoid(s, kBunnyMarble); }},
   };
   return all;
 }

@@ -61,6 +61,7 @@ struct EllipsoidOptions {
   pipeline::ShadeModel shading = pipeline::ShadeModel::gouraud;
   int lights = 1;
   int normal_map_side = 0;  ///< Texels; 0: none.
+  bool marble = false;      ///< Of six octaves, computed at each fragment.
 };
 /// A lit ellipsoid with culled back faces.
 ScenePair ellipsoid(const Scale& scale, const EllipsoidOptions& options);

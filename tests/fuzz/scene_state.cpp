@@ -131,6 +131,34 @@ void any_texture_unit(Input& input, raster::TextureUnit& unit) {
   unit.bump_form = input.one_of_first<raster::BumpForm>(2);
 }
 
+/// A pattern in place of the unit's picture, its point mapped, its tiles changed; or none of it.
+void any_procedure(Input& input, raster::TextureUnit& unit) {
+  if (input.flag()) {
+    unit.procedure = input.flag() ? &raster::kSolidPattern : &raster::kSurfacePattern;
+    raster::Pattern& pattern = unit.pattern;
+    pattern.kind = input.one_of_first<raster::PatternKind>(5);
+    pattern.octaves = input.between(1, raster::kMaxOctaves);
+    pattern.gain = input.number();
+    pattern.turbulence = input.number();
+    pattern.has_threshold = input.flag();
+    pattern.threshold = input.number();
+    for (std::array<float, 4>& color : pattern.colors) color = any_color(input);
+  }
+  unit.tiles = input.one_of_first<raster::TileChange>(4);
+  if (input.flag() || (unit.procedure == nullptr && unit.texture->is_cube())) return;
+  raster::Mapping& mapping = unit.mapping;
+  mapping.surface = input.one_of_first<raster::MappingSurface>(5);
+  mapping.ray = input.one_of_first<raster::MappingRay>(4);
+  for (std::size_t i = 0; i < 2; ++i) {
+    mapping.repeats[i] = input.number();
+    mapping.offset[i] = input.number();
+  }
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (float& element : mapping.eye_from_mapping[r]) element = input.number();
+    for (float& element : mapping.mapping_from_eye[r]) element = input.number();
+  }
+}
+
 void any_texture_coordinates(Input& input, pipeline::TextureCoordinates& coordinates) {
   if (input.byte() < 64) coordinates.matrix = any_matrix(input);
   if (input.byte() >= 96) return;
@@ -216,6 +244,9 @@ pipeline::State any_state(Input& input) {
   }
   any_tests(input, state);
   any_output(input, state);
+  for (raster::TextureUnit& unit : state.texture_units) {
+    if (unit.texture != nullptr && input.byte() >= 160) any_procedure(input, unit);
+  }
   return state;
 }
 

@@ -154,6 +154,9 @@ TEST(KernelOracle, StatisticsDependOnNothingButTheScene) {
       EXPECT_EQ(statistics.fragments_covered, covered) << seed << " " << way.name();
       EXPECT_EQ(statistics.fragments_shaded, expected.fragments_shaded) << seed << " " << way.name();
       EXPECT_EQ(statistics.texel_fetches, expected.texel_fetches) << seed << " " << way.name();
+      EXPECT_EQ(statistics.mapped, expected.mapped) << seed << " " << way.name();
+      EXPECT_EQ(statistics.patterns, expected.patterns) << seed << " " << way.name();
+      EXPECT_EQ(statistics.noise, expected.noise) << seed << " " << way.name();
     }
   }
 }

@@ -8,6 +8,33 @@
 namespace barrido::raster::testing {
 namespace {
 
+void random_pattern(RandomBits& random, TexcoordKind kind, TextureUnit& unit) {
+  unit.procedure = kind == TexcoordKind::plain ? &kSurfacePattern : &kSolidPattern;
+  Pattern& pattern = unit.pattern;
+  pattern.kind = random.one_of_first<PatternKind>(5);
+  pattern.octaves = random.between(1, random.chance(20) ? kMaxOctaves : 4);
+  pattern.gain = random.pick({0.5f, 0.7f, 1.0f});
+  pattern.turbulence = random.chance(80) ? random.number(-2.0f, 2.0f) : 0.0f;
+  pattern.has_threshold = random.chance(50);
+  pattern.threshold = random.number(-0.5f, 0.5f);
+  pattern.colors = {random.color(0.0f, 1.0f), random.color(0.0f, 1.0f)};
+}
+
+/// Of a point in space: three coordinates that are no longer divided.
+void random_mapping(RandomBits& random, TextureUnit& unit) {
+  Mapping& mapping = unit.mapping;
+  mapping.surface = random.pick(
+      {MappingSurface::planar, MappingSurface::cylinder, MappingSurface::sphere, MappingSurface::box});
+  mapping.ray = random.one_of_first<MappingRay>(4);
+  mapping.repeats = {random.number(-4.0f, 4.0f), random.number(-4.0f, 4.0f)};
+  mapping.offset = {random.number(-1.0f, 1.0f), random.number(-1.0f, 1.0f)};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (float& element : mapping.eye_from_mapping[r]) element = random.number(-2.0f, 2.0f);
+    for (float& element : mapping.mapping_from_eye[r]) element = random.number(-2.0f, 2.0f);
+  }
+  if (unit.procedure == &kSolidPattern && random.chance(60)) unit.procedure = &kSurfacePattern;
+}
+
 /// @return the kind of the unit's coordinates.
 TexcoordKind random_unit(RandomBits& random, const TexturePool& textures, int index, FragmentState& state) {
   const auto slot = static_cast<std::size_t>(index);
@@ -30,6 +57,10 @@ TexcoordKind random_unit(RandomBits& random, const TexturePool& textures, int in
   }
   if (random.chance(10)) unit.role = TextureRole::shine;
   if (random.chance(10)) unit.procedure = kind == TexcoordKind::plain ? &kRings2 : &kRings3;
+  if (random.chance(25)) random_pattern(random, kind, unit);
+  const bool colors = unit.role == TextureRole::environment;
+  if (colors && kind == TexcoordKind::projective && random.chance(40)) random_mapping(random, unit);
+  unit.tiles = random.chance(20) ? random.one_of_first<TileChange>(4) : TileChange::none;
   return kind;
 }
 
@@ -39,9 +70,10 @@ bool random_varyings(RandomBits& random, const std::array<TexcoordKind, kMaxText
                      FragmentState& state) {
   const bool lit = random.chance(20);
   std::vector<Varying> groups;
-  if (lit) {
-    groups.push_back({Meaning::normal, 3});
-  } else if (random.chance(60)) {
+  bool maps_by_normal = false;
+  for (const TextureUnit& unit : state.texture_units) maps_by_normal |= needs_normal(unit.mapping);
+  if (lit || maps_by_normal) groups.push_back({Meaning::normal, 3});
+  if (!lit && random.chance(60)) {
     groups.push_back({Meaning::color, 4});
     if (random.chance(60)) groups.push_back({Meaning::specular, 3});
   }
@@ -105,6 +137,9 @@ std::string describe_unit(const FragmentState& state, std::size_t index) {
          " format=" + number_of(t.format()) + " levels=" + std::to_string(t.level_count()) +
          " wrap=" + number_of(t.options().wrap_s) + "," + number_of(t.options().wrap_t) +
          " min=" + number_of(unit.min_filter) + " mag=" + number_of(unit.mag_filter) +
+         " procedure=" + std::string(unit.procedure != nullptr ? unit.procedure->name : "") +
+         " pattern=" + number_of(unit.pattern.kind) + " mapping=" + number_of(unit.mapping.surface) + "," +
+         number_of(unit.mapping.ray) + " tiles=" + number_of(unit.tiles) +
          " bias=" + std::to_string(unit.lod_bias) + " env=" + number_of(unit.env_mode) +
          " role=" + number_of(unit.role) + " combine=" + number_of(unit.combine.rgb.function) + "," +
          number_of(unit.combine.alpha.function) + "}";
@@ -117,7 +152,8 @@ std::vector<FragmentStage> random_light(RandomBits& random, FragmentState& state
   if (random.chance(50)) stages.push_back({.kind = &kBendNormal});
   const int unit = random.between(0, kMaxTextureUnits - 1);
   TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
-  if (texture.texture != nullptr && random.chance(70)) {
+  const bool is_mapped = texture.mapping.surface != MappingSurface::none;
+  if (texture.texture != nullptr && !is_mapped && random.chance(70)) {
     texture.role = TextureRole::normal;
     const int floats = state.varyings.floats(Meaning::texcoord, unit);
     stages.push_back({.kind = &kBendByTexture, .unit = unit, .reads = {{{Meaning::texcoord, floats, unit}}}});

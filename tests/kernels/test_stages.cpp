@@ -88,17 +88,18 @@ std::array<float, 4> ring(float s, float t, float r) {
   return {light, 1.0f - light, 0.5f, 0.25f + 0.5f * light};
 }
 
-template <int kCount>
-void rings_batch(const FragmentBatch& batch, int unit, float (*texel)[kBatchStride]) {
-  const float(*at)[kBatchStride] = batch.varying + batch.state->varyings.at(Meaning::texcoord, unit);
-  for (int i = 0; i < batch.count; ++i) {
-    const std::array<float, 4> color = ring(at[0][i], at[1][i], kCount == 3 ? at[2][i] : 0.0f);
+std::uint64_t rings_batch(const TextureUnit&, const ProcedurePoints& points, float (*texel)[kBatchStride]) {
+  for (int i = 0; i < points.count; ++i) {
+    const float r = points.at[2] != nullptr ? points.at[2][i] : 0.5f;
+    const std::array<float, 4> color = ring(points.at[0][i], points.at[1][i], r + points.extent[0][i]);
     for (std::size_t c = 0; c < 4; ++c) texel[c][i] = color[c];
   }
+  return 0;
 }
 
-std::array<float, 4> rings_fragment(const TextureUnit&, const float (&at)[3], reference::UnitTrace* trace) {
-  const std::array<float, 4> color = ring(at[0], at[1], at[2]);
+std::array<float, 4> rings_fragment(const TextureUnit&, const float (&at)[3], const float (&extent)[3],
+                                    reference::UnitTrace* trace) {
+  const std::array<float, 4> color = ring(at[0], at[1], at[2] + extent[0]);
   if (trace != nullptr) trace->notes.push_back({"ring", {color[0]}});
   return color;
 }
@@ -136,7 +137,7 @@ constinit const StageKind kInvert{.name = "invert",
                                   .story = "takes the colour from white",
                                   .clock = Stage::write};
 
-constinit const TextureProcedure kRings2{"rings", 2, rings_batch<2>, rings_fragment, "rings on a plane"};
-constinit const TextureProcedure kRings3{"rings", 3, rings_batch<3>, rings_fragment, "rings in space"};
+constinit const TextureProcedure kRings2{"rings", 2, rings_batch, rings_fragment, "rings on a plane"};
+constinit const TextureProcedure kRings3{"rings", 3, rings_batch, rings_fragment, "rings in space"};
 
 }  // namespace barrido::raster::testing

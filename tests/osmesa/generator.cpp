@@ -10,7 +10,7 @@ std::span<const Feature> features() {
   static const std::vector<Feature> all = [] {
     std::vector<Feature> list;
     for (const auto group : {geometry_features(), lighting_features(), texture_features(), map_features(),
-                             fragment_features()}) {
+                             procedure_features(), fragment_features()}) {
       list.insert(list.end(), group.begin(), group.end());
     }
     return list;

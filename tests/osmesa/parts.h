@@ -54,6 +54,7 @@ std::span<const Feature> geometry_features();
 std::span<const Feature> lighting_features();
 std::span<const Feature> texture_features();
 std::span<const Feature> map_features();
+std::span<const Feature> procedure_features();
 std::span<const Feature> fragment_features();
 
 }  // namespace barrido::crosscheck

@@ -37,7 +37,7 @@ struct Part {
 constexpr Part kParts[] = {
     {"Shading", true},
     {"Lights", true, draw_lights},
-    {"Textures", true},
+    {"Textures", true, draw_textures},
     {"Compare A | B", false, draw_compare},
     {"Material", false, draw_material},
     {"Environment", false, draw_environment},

@@ -20,6 +20,7 @@ bool draw_option(cli::RenderOptions& options, const cli::RenderOption& row);
 bool draw_environment(view::Viewer& viewer);
 bool draw_lights(view::Viewer& viewer);
 bool draw_material(view::Viewer& viewer);
+bool draw_textures(view::Viewer& viewer);
 bool draw_camera(view::Viewer& viewer);
 bool draw_fog(view::Viewer& viewer);
 bool draw_background(view::Viewer& viewer);

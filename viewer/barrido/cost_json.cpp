@@ -50,7 +50,10 @@ Json frame_json(const FrameCost& frame) {
                     {"illuminations_fragment", frame.counts.illuminations_fragment},
                     {"fragments_covered", frame.counts.raster.fragments_covered},
                     {"fragments_shaded", frame.counts.raster.fragments_shaded},
-                    {"texel_fetches", frame.counts.raster.texel_fetches}};
+                    {"texel_fetches", frame.counts.raster.texel_fetches},
+                    {"mapped", frame.counts.raster.mapped},
+                    {"procedures", frame.counts.raster.patterns},
+                    {"noise", frame.counts.raster.noise}};
   Json times = Json::object();
   for (std::size_t stage = 0; stage < frame.stage_ms.size(); ++stage) {
     times[std::string(raster::kStageNames[stage])] = frame.stage_ms[stage];

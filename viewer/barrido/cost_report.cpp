@@ -29,6 +29,9 @@ ModeSum sum_of_mode(const CostReport& report, pipeline::ShadeModel mode) {
     sum.counts += course_counts(frame.counts);
     sum.raw.vertices += frame.counts.vertices;
     sum.raw.primitives_in += frame.counts.primitives_in;
+    sum.raw.raster.mapped += frame.counts.raster.mapped;
+    sum.raw.raster.patterns += frame.counts.raster.patterns;
+    sum.raw.raster.noise += frame.counts.raster.noise;
     sum.draw_ms += frame.draw_ms;
     sum.write_ms += frame.write_ms;
     for (std::size_t stage = 0; stage < sum.stage_ms.size(); ++stage)
@@ -77,6 +80,10 @@ std::string mode_table(pipeline::ShadeModel mode, const ModeSum& sum) {
   text += count_row("additions", sum.counts.additions, sum);
   text += count_row("powers", sum.counts.powers, sum);
   text += count_row("fragments", sum.counts.fragments, sum);
+  const raster::RasterStatistics& made = sum.raw.raster;
+  if (made.mapped > 0) text += count_row("mapped", made.mapped, sum);
+  if (made.patterns > 0) text += count_row("procedures", made.patterns, sum);
+  if (made.noise > 0) text += count_row("noise", made.noise, sum);
   const auto per_frame = [&sum](std::uint64_t count) { return grouped(count / sum.frames); };
   text += "  " + per_frame(sum.raw.vertices) + " vertices, " + per_frame(sum.raw.primitives_in) +
           " polygons of which " + per_frame(sum.counts.polygons) + " drawn, " +

@@ -238,6 +238,13 @@ scene::RenderSettings resolved_settings(const RenderOptions& options) {
   return settings;
 }
 
+std::shared_ptr<const scene::Image> load_texture(const RenderOptions& options, scene::Budget* budget) {
+  if (options.texture_path.empty()) return nullptr;
+  scene::ImageLimits limits;
+  limits.budget = budget;
+  return std::make_shared<const scene::Image>(scene::read_image(options.texture_path, limits));
+}
+
 std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options, scene::Budget* budget) {
   if (options.environment_path.empty()) return nullptr;
   const bool srgb = options.settings.color_management == scene::ColorManagement::srgb;

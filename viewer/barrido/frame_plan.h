@@ -58,6 +58,10 @@ extern const unsigned kDrawnImages;
 /// is left out, and what differs from frame to frame.
 scene::RenderSettings resolved_settings(const RenderOptions& options);
 
+/// The picture of --texture PATH; null where none was asked for. @throws scene::InputError.
+std::shared_ptr<const scene::Image> load_texture(const RenderOptions& options,
+                                                 scene::Budget* budget = nullptr);
+
 /// The cube map of --environment PATH; null where none was asked for. @throws scene::InputError.
 std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options,
                                                         scene::Budget* budget = nullptr);

@@ -63,7 +63,9 @@ void refuse_inputs(const std::string& output, const RenderOptions& options, cons
   };
   for (const std::string& file : options.files) refuse(file);
   for (const std::string& map : map_paths(options.settings)) refuse(map);
-  if (!options.environment_path.empty()) refuse(options.environment_path);
+  for (const std::string& picture : {options.environment_path, options.texture_path}) {
+    if (!picture.empty()) refuse(picture);
+  }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   for (const scene::Image& image : scene.images) refuse(folder / image.name);
 }
@@ -77,6 +79,7 @@ int RenderCall::run() {
   const Stopwatch watch;
   check_output_names(options_);
   resolve_settings();
+  load_texture();
   load_environment();
   bool all_fine = true;
   for (const std::string& path : options_.files) all_fine = render_file(path) && all_fine;
@@ -90,6 +93,11 @@ void RenderCall::resolve_settings() {
   settings_ = resolved_settings(options_);
   const bool is_picture = options_.views.size() == 1 && !options_.views[0];
   settings_.keep_float = is_picture && !options_.sheet && holds_floats(options_.output);
+}
+
+void RenderCall::load_texture() {
+  if (options_.texture_path.empty()) return;
+  settings_.texture.picture = cli::load_texture(options_, limits_.open(options_.texture_path, true).get());
 }
 
 void RenderCall::load_environment() {

@@ -28,6 +28,7 @@ class RenderCall {
 
  private:
   void resolve_settings();
+  void load_texture();
   void load_environment();
   bool render_file(const std::string& path);
   std::vector<PlannedFrame> plan(const scene::Scene& scene, const std::string& path) const;

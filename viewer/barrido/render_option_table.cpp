@@ -96,11 +96,13 @@ constexpr RenderOption kOutputOptions[] = {
                parsed<&Options::output, stored, copied>())),
     option("--resolution", "W,H", kPicture, "Size in pixels, each in 1..16384. Default 1280,720.",
            always_written(custom<read_resolution, resolution_text>()), no_editor("the window has its size")),
-    option("--view", "LIST", kDrawing,
-           "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
-           "layers, illuminations, texels, mip-level, mip-colors, triangles, depth, normals or mach-bands; "
-           "several with commas between (picture is the picture itself), or all; a frame for each.",
-           choices<&Options::views, 1>(), kViewEditor),
+    option(
+        "--view", "LIST", kDrawing,
+        "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
+        "layers, illuminations, texels, mip-level, mip-colors, texel-density, coordinates, triangles, depth, "
+        "normals or mach-bands; "
+        "several with commas between (picture is the picture itself), or all; a frame for each.",
+        choices<&Options::views, 1>(), kViewEditor),
     option("--sheet", "", kOutput, "All frames of the call in one picture, each with its name.",
            flag<&Options::sheet>()),
     option("--compression", "N", kOutput, "Of PNG, 0 (none) to 9 (smallest). Default 1.",
@@ -160,6 +162,24 @@ constexpr RenderOption kShadingOptions[] = {
 constexpr RenderOption kTextureOptions[] = {
     option("--no-textures", "", kPicture, "Draw as if no material had a texture.",
            flag<&Settings::textures, false>(), kTexturesEditor),
+    option("--texture", "SPEC", kPicture,
+           "In place of every material's picture: PATH of a picture, or a procedure NAME[:KEY=VALUE]... with "
+           "the names stripes, checker, noise, wood, marble. Keys: scale=S (size of a stripe, cell, ring or "
+           "layer) axis=X,Y,Z space=object|world|surface dark=R,G,B[,A] light=R,G,B[,A] octaves=1..16 gain=G "
+           "turbulence=T threshold=T. Colours are linear.",
+           custom<read_texture, texture_texts>(), by_hand("Textures")),
+    option("--mapping", "SPEC", kPicture,
+           "Coordinates from an intermediate surface, SURFACE[:KEY=VALUE]... with planar, cylinder, sphere, "
+           "box. Keys: from=surface|centre|normal|reflection (what leads to it) at=fragments|vertices "
+           "axis=X,Y,Z centre=X,Y,Z size=S repeats=U,V offset=U,V.",
+           custom<read_mapping, mapping_texts>(), by_hand("Textures")),
+    option("--tiles", "WAY", kPicture,
+           "What happens to each repetition of a picture, by a hash of its number: none (default), rotate "
+           "(quarter turns), shift or both.",
+           choice<&scene::TextureChoice::tiles>(), list("tiles", "the materials'")),
+    option("--mapping-lines", "", kPicture,
+           "Draw the intermediate surface of a mapping, its seam and poles in red.",
+           flag<&Overlays::mapping>(), widget("mapping's surface")),
     option("--texture-interpolation", "WAY", kPicture,
            "perspective (default), or affine: linear on the screen, which shows the error.",
            choice<&Settings::texture_interpolation>(), widget("interpolation")),

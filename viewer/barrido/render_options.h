@@ -56,6 +56,7 @@ struct RenderOptions {
   std::string settings_path;  ///< File of further options; empty: none. They have been applied.
 
   std::string environment_path;                          ///< Empty: none, or `settings.dynamic_environment`.
+  std::string texture_path;                              ///< Empty: none, or `settings.texture.solid`.
   std::optional<std::array<float, 4>> background_shown;  ///< As it is to be seen, straight alpha.
   std::optional<FogChoice> fog;
 

@@ -4,6 +4,7 @@
 
 #include "raster/fragments/primitive.h"
 #include "viewer/barrido/text_format.h"
+#include "viewer/barrido/texture_spec.h"
 #include "viewer/barrido/values.h"
 
 namespace barrido::cli {
@@ -67,6 +68,25 @@ void read_environment(RenderOptions& options, std::string_view text) {
 Texts environment_texts(const RenderOptions& options) {
   if (options.settings.dynamic_environment) return {"dynamic"};
   return options.environment_path.empty() ? Texts{} : Texts{options.environment_path};
+}
+
+void read_texture(RenderOptions& options, std::string_view text) {
+  options.settings.texture.solid = parse_solid(text);
+  options.texture_path = options.settings.texture.solid ? std::string() : std::string(text);
+}
+
+Texts texture_texts(const RenderOptions& options) {
+  if (options.settings.texture.solid) return {solid_text(*options.settings.texture.solid)};
+  return options.texture_path.empty() ? Texts{} : Texts{options.texture_path};
+}
+
+void read_mapping(RenderOptions& options, std::string_view text) {
+  options.settings.texture.mapping = parse_mapping(text);
+}
+
+Texts mapping_texts(const RenderOptions& options) {
+  const auto& mapping = options.settings.texture.mapping;
+  return mapping ? Texts{mapping_text(*mapping)} : Texts{};
 }
 
 void read_light(RenderOptions& options, std::string_view text) {

@@ -12,6 +12,10 @@ bool is_textured(const pipeline::State& state) {
                      [](const raster::TextureUnit& unit) { return unit.texture != nullptr; });
 }
 
+bool has_unit(const pipeline::State& state, bool (*is_such)(const raster::TextureUnit&)) {
+  return std::any_of(state.texture_units.begin(), state.texture_units.end(), is_such);
+}
+
 bool has_light(const pipeline::Lighting& lighting, bool (*is_such)(const pipeline::Light&)) {
   return std::any_of(lighting.lights.begin(), lighting.lights.end(), is_such);
 }
@@ -26,6 +30,7 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
   const pipeline::ShadingMode& mode = pipeline::shading_mode(state.shade_model);
   const bool at_vertices = lit && !mode.lit.at_fragments;
   const bool flat = lit && mode.lit.flat;
+  const bool per_fragment = lit && mode.lit.at_fragments;
   const bool is_opengl_model = mode.formula == pipeline::kCourseModel;
   const bool shines_by_map = std::any_of(
       state.texture_units.begin(), state.texture_units.end(), [](const raster::TextureUnit& unit) {
@@ -44,6 +49,15 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
        "R·V highlights at vertices"},
       {flat && state.flat_at == pipeline::FlatAt::centroid, "flat polygons lit at their centroid"},
       {state.color_interpolation == pipeline::ColorInterpolation::screen, "colours linear on the screen"},
+      {has_unit(state,
+                [](const raster::TextureUnit& unit) { return unit.tiles != raster::TileChange::none; }),
+       "tiles that change"},
+      {!per_fragment && has_unit(state,
+                                 [](const raster::TextureUnit& unit) {
+                                   return unit.procedure != nullptr ||
+                                          unit.mapping.surface != raster::MappingSurface::none;
+                                 }),
+       "procedures and mappings without Phong shading"},
       {is_textured(state) && state.texture_interpolation == pipeline::TextureInterpolation::affine,
        "affine textures"},
   };

@@ -50,8 +50,10 @@ gl_MaterialParameters tracked(gl_MaterialParameters m, vec4 color) {
 }
 )";
 
+/// Before the texture stages, which read them too.
+constexpr const char* kPhongVaryings = "varying vec3 normal; varying vec3 position; varying vec4 color;\n";
+
 constexpr const char* kPhongVertex = R"(
-varying vec3 normal; varying vec3 position; varying vec4 color;
 void main() {
   gl_Position = ftransform();
   normal = gl_NormalMatrix * gl_Normal;
@@ -63,7 +65,6 @@ void main() {
 )";
 
 constexpr const char* kPhongFragment = R"(
-varying vec3 normal; varying vec3 position; varying vec4 color;
 void main() {
   bool back = TWO_SIDED && !gl_FrontFacing;
   gl_MaterialParameters m = tracked(material(back), color);
@@ -193,7 +194,7 @@ std::string program_key(const pipeline::State& state, bool has_colors) {
 
 GLuint make_program(const pipeline::State& state, bool has_vertex_colors) {
   const bool phong = !pipeline::shading_mode(state.shade_model).lit.at_vertices;
-  const std::string head = definitions(state, has_vertex_colors);
+  const std::string head = definitions(state, has_vertex_colors) + (phong ? kPhongVaryings : "");
   const GLuint program = gl().CreateProgram();
   attach(
       program, GL_VERTEX_SHADER,

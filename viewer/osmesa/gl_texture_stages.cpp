@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "viewer/osmesa/gl_procedures.h"
 #include "viewer/osmesa/gl_state.h"
 
 namespace barrido::osmesa {
@@ -101,9 +102,11 @@ std::string environment(const raster::TextureUnit& unit, const std::string& inde
   }
 }
 
+bool is_on(const raster::TextureUnit& unit) { return unit.texture != nullptr || unit.procedure != nullptr; }
+
 bool is_textured(const pipeline::State& state) {
   for (const raster::TextureUnit& unit : state.texture_units) {
-    if (unit.texture != nullptr) return true;
+    if (is_on(unit)) return true;
   }
   return false;
 }
@@ -113,7 +116,7 @@ bool is_textured(const pipeline::State& state) {
 std::string vertex_texture_stages(const pipeline::State& state) {
   std::string text = "void make_texture_coordinates(vec3 n, vec3 p) {\n";
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
-    if (state.texture_units[i].texture == nullptr) continue;
+    if (!is_on(state.texture_units[i])) continue;
     const std::string unit = std::to_string(i);
     const std::string given = is_reflected(state.texture_coordinates[i])
                                   ? std::string("vec4(reflect(normalize(p), n), 1.0)")
@@ -124,20 +127,31 @@ std::string vertex_texture_stages(const pipeline::State& state) {
 }
 
 std::string fragment_texture_stages(const pipeline::State& state) {
-  std::string samplers, fetches, stages;
+  std::string samplers, functions, fetches, stages;
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     const raster::TextureUnit& unit = state.texture_units[i];
     const bool is_shine = unit.role == raster::TextureRole::shine;
-    if (unit.texture == nullptr || !(is_shine || unit.role == raster::TextureRole::environment)) continue;
+    if (!is_on(unit) || !(is_shine || unit.role == raster::TextureRole::environment)) continue;
     const std::string index = std::to_string(i);
+    const std::string at = "gl_TexCoord[" + index + "]";
+    functions += procedure_functions(unit, index);
+    stages += "  " + (is_shine ? "secondary *= t" + index + ".rgb;\n" : environment(unit, index));
+    if (unit.procedure != nullptr) {
+      fetches += "  vec4 t" + index + " = " + procedure_texel(unit, index, at + ".xyz") + ";\n";
+      continue;
+    }
     const bool cube = unit.texture->is_cube();
     samplers += std::string("uniform ") + (cube ? "samplerCube" : "sampler2D") + " tex" + index + ";\n";
-    fetches += "  vec4 t" + index + " = " + (cube ? "textureCube" : "texture2DProj") + "(tex" + index +
-               ", gl_TexCoord[" + index + "]" + (cube ? ".xyz" : "") + ");\n";
-    stages += "  " + (is_shine ? "secondary *= t" + index + ".rgb;\n" : environment(unit, index));
+    const bool is_mapped = unit.mapping.surface != raster::MappingSurface::none;
+    const std::string place = is_mapped ? mapped_place(index, at + ".xyz") : at + (cube ? ".xyz" : "");
+    fetches += "  vec4 t" + index + " = " +
+               (cube        ? "textureCube"
+                : is_mapped ? "texture2D"
+                            : "texture2DProj") +
+               "(tex" + index + ", " + place + ");\n";
   }
   const bool separate = state.lighting.separate_specular && is_textured(state);
-  return samplers + "vec4 finish(vec4 primary, vec3 secondary) {\n" +
+  return samplers + functions + "vec4 finish(vec4 primary, vec3 secondary) {\n" +
          (separate ? "  vec4 c = clamp(primary, 0.0, 1.0);\n  secondary = clamp(secondary, 0.0, 1.0);\n"
                    : "  vec4 c = clamp(vec4(primary.rgb + secondary, primary.a), 0.0, 1.0);\n") +
          "  vec4 first = c;\n" + fetches + stages +

@@ -130,6 +130,11 @@ GLuint Textures::name_of(const raster::Texture* texture) const {
 void set_texture_units(const pipeline::State& state, const Textures& textures) {
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     const raster::TextureUnit& unit = state.texture_units[i];
+    if (unit.texture == nullptr && unit.procedure != nullptr) {
+      gl().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+      set_environment(unit);
+      set_coordinates(state.texture_coordinates[i]);
+    }
     if (unit.texture == nullptr) continue;
     const bool is_map = unit.role != raster::TextureRole::environment;  // of programs alone
     const GLenum target = target_of(*unit.texture);

@@ -135,6 +135,7 @@ std::string figures(const ViewValues& v) {
              "; colours by square roots" +
              (v.outside > 0 ? ", and " + grouped(v.outside) + " outside the picture" : "");
     case StructureView::mip_level:
+    case StructureView::texel_density:
     case StructureView::depth:
       return v.counted == 0
                  ? "nothing to be seen"
@@ -146,6 +147,7 @@ std::string figures(const ViewValues& v) {
       return "minimum " + number(v.least) + ", maximum " + number(v.most) + ", mean magnitude " +
              number(v.mean);
     case StructureView::mip_colors:
+    case StructureView::coordinates:
     case StructureView::normals:
       break;
   }
@@ -170,6 +172,7 @@ std::vector<std::uint32_t> draw_legend(const ViewValues& values) {
       draw_levels(second, strip);
       break;
     case StructureView::triangles:
+    case StructureView::coordinates:
       break;
     case StructureView::normals:
       draw_axes(second, strip);

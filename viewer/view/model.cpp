@@ -80,6 +80,14 @@ void Model::add_maps(scene::RenderSettings& settings) {
   }
 }
 
+std::shared_ptr<const scene::Image> Model::texture(const cli::RenderOptions& options) {
+  std::shared_ptr<const scene::Image>& slot = textures_[options.texture_path];
+  if (slot) return slot;
+  scene::Budget budget(limits_);
+  slot = cli::load_texture(options, &budget);
+  return slot;
+}
+
 int Model::camera_count(const cli::RenderOptions& options) const {
   const int root = scene::resolve_scene_index(*scene_, options.settings.scene_index);
   return static_cast<int>(scene::camera_nodes(*scene_, scene::nodes_of_scene(*scene_, root)).size());
@@ -92,6 +100,7 @@ scene::RenderSettings Model::settings_for(const cli::RenderOptions& wanted) {
     settings.environment = environment(options);
   }
   add_maps(settings);
+  if (!options.texture_path.empty()) settings.texture.picture = texture(options);
   const cli::FileFacts facts{path_, camera_count(options), static_cast<int>(scene_->animations.size())};
   return cli::settings_of(settings, cli::plan_frames(options, facts).at(0));
 }

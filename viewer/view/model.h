@@ -77,12 +77,14 @@ class Model {
 
  private:
   std::shared_ptr<const raster::Texture> environment(const cli::RenderOptions& options);
+  std::shared_ptr<const scene::Image> texture(const cli::RenderOptions& options);
 
   std::string path_;
   scene::BudgetLimits limits_;
   std::unique_ptr<const scene::Scene> scene_;
   scene::SceneRenderer renderer_;
   scene::SceneCaches caches_;  ///< For looking; the renderer has its own.
+  std::map<std::string, std::shared_ptr<const scene::Image>> textures_;  ///< By path
   /// Never thrown away while the renderer lives: it knows environments by their address.
   std::map<std::pair<std::string, scene::ColorManagement>, std::shared_ptr<const raster::Texture>>
       environments_;

@@ -169,6 +169,50 @@ TEST(StructureView, MipLevelsFollowTheDistance) {
   EXPECT_GT(levels.most, 2.0);
 }
 
+TEST(StructureView, TexelDensityIsWhatMipLevelsAreChosenBy) {
+  const scene::Scene scene = model("checker_ground.glb");
+  scene::SceneRenderer renderer(scene);
+  RenderSettings settings = small_frame(ShadeModel::phong);
+  settings.min_filter = raster::MinFilter::linear_mipmap_linear;
+  const ViewValues levels = measure_view(renderer, settings, StructureView::mip_level);
+  const ViewValues density = measure_view(renderer, settings, StructureView::texel_density);
+  EXPECT_EQ(density.counted, levels.counted);
+  for (std::size_t i = 0; i < levels.values.size(); ++i) {
+    if (levels.values[i] > 0.0f && levels.values[i] < 5.0f) {
+      EXPECT_NEAR(levels.values[i], density.values[i], 1.0f / 256.0f);
+    }
+  }
+}
+
+/// A plane over the ball: s grows to the right in red, t downwards in green.
+TEST(StructureView, CoordinatesAreThoseOfTheMapping) {
+  const scene::Scene scene = model("sphere.glb");
+  scene::SceneRenderer renderer(scene);
+  RenderSettings settings = small_frame(ShadeModel::phong);
+  settings.texture.solid = scene::standard_solid(raster::PatternKind::checker);
+  settings.texture.solid->space = scene::SolidTexture::Space::surface;
+  settings.texture.solid->scale = 1.0f;
+  settings.texture.mapping.emplace();
+  settings.texture.mapping->surface = raster::MappingSurface::planar;
+  settings.texture.mapping->axis = {0, 0, 1};
+  const ViewValues view = measure_view(renderer, settings, StructureView::coordinates);
+  const auto color = [&](int dx, int dy) {
+    const auto index =
+        static_cast<std::size_t>((settings.height / 2 + dy) * settings.width + settings.width / 2 + dx);
+    return view.colors[index];
+  };
+  const int reach = settings.height / 6;
+  const auto red = [](std::uint32_t c) { return static_cast<int>(c & 255); };
+  const auto green = [](std::uint32_t c) { return static_cast<int>(c >> 8 & 255); };
+  EXPECT_NEAR(red(color(0, 0)), 128, 12);
+  EXPECT_NEAR(green(color(0, 0)), 128, 12);
+  EXPECT_GT(red(color(reach, 0)), red(color(0, 0)) + 20);
+  EXPECT_GT(green(color(0, reach)), green(color(0, 0)) + 20);
+  settings.texture = {};
+  const ViewValues nothing = measure_view(renderer, settings, StructureView::coordinates);
+  EXPECT_EQ(nothing.counted, 0u);
+}
+
 std::vector<std::uint32_t> drawn(scene::SceneRenderer& renderer, const RenderSettings& settings) {
   const raster::Framebuffer frame = renderer.render(settings);
   return {frame.color8().begin(), frame.color8().end()};

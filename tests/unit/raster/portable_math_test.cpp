@@ -36,6 +36,21 @@ TEST(PortableMath, Log2) {
   EXPECT_EQ(portable_log2(kNaN), -126.0f);
 }
 
+TEST(PortableMath, Turn) {
+  std::mt19937_64 bits(5);
+  for (int k = 0; k < 200000; ++k) {
+    const auto x = static_cast<float>(uniform(bits, -2.0, 2.0));
+    const auto y = static_cast<float>(uniform(bits, -2.0, 2.0));
+    const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x)) / (2.0 * kPi);
+    ASSERT_NEAR(portable_turn(y, x), exact, 4e-8) << y << " " << x;
+  }
+  EXPECT_EQ(portable_turn(0.0f, 1.0f), 0.0f);
+  EXPECT_EQ(portable_turn(1.0f, 0.0f), 0.25f);
+  EXPECT_EQ(portable_turn(0.0f, -1.0f), 0.5f);
+  EXPECT_EQ(portable_turn(-1.0f, 0.0f), -0.25f);
+  EXPECT_EQ(portable_turn(0.0f, 0.0f), 0.0f);
+}
+
 TEST(PortableMath, Exp2) {
   std::mt19937_64 bits(2);
   for (int k = 0; k < 200000; ++k) {

@@ -44,6 +44,70 @@ TEST(ImportExtras, WhatIsAbsentStaysEmpty) {
   EXPECT_FALSE(scene.scenes[0].settings.fog);
 }
 
+TEST(ImportExtras, TextureMappingAndTiles) {
+  const Scene scene = with_extras({{"texture",
+                                    {{"procedure", "noise"},
+                                     {"scale", 0.5},
+                                     {"axis", {1, 0, 0}},
+                                     {"space", "world"},
+                                     {"dark", {0.1, 0.2, 0.3}},
+                                     {"light", {0.5, 0.5, 0.5, 0.25}},
+                                     {"octaves", 3},
+                                     {"gain", 0.25},
+                                     {"threshold", 0.5}}},
+                                   {"mapping",
+                                    {{"surface", "box"},
+                                     {"from", "reflection"},
+                                     {"at", "vertices"},
+                                     {"axis", {0, 0, 1}},
+                                     {"centre", {1, 2, 3}},
+                                     {"size", 4},
+                                     {"repeats", {2, -1}},
+                                     {"offset", {0.5, 0.25}}}},
+                                   {"tiles", "both"}},
+                                  kNothing, kNothing)
+                          .import();
+  const TextureChoice& choice = scene.materials[0].texture;
+  ASSERT_TRUE(choice.solid && choice.mapping);
+  SolidTexture solid = standard_solid(raster::PatternKind::noise);
+  solid.pattern.octaves = 3;
+  solid.pattern.gain = 0.25f;
+  solid.pattern.has_threshold = true;
+  solid.pattern.threshold = 0.5f;
+  solid.pattern.colors = {{{0.1f, 0.2f, 0.3f, 1}, {0.5f, 0.5f, 0.5f, 0.25f}}};
+  solid.space = SolidTexture::Space::world;
+  solid.scale = 0.5f;
+  solid.axis = {1, 0, 0};
+  EXPECT_EQ(*choice.solid, solid);
+  MappingChoice mapping;
+  mapping.surface = raster::MappingSurface::box;
+  mapping.ray = raster::MappingRay::reflection;
+  mapping.at_vertices = true;
+  mapping.axis = {0, 0, 1};
+  mapping.centre = glm::vec3(1, 2, 3);
+  mapping.size = 4;
+  mapping.repeats = {2, -1};
+  mapping.offset = {0.5f, 0.25f};
+  EXPECT_EQ(*choice.mapping, mapping);
+  EXPECT_EQ(choice.tiles, raster::TileChange::both);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(ImportExtras, TexturesThatCannotBeAreRefused) {
+  const auto refused = [](const json& material) {
+    EXPECT_THROW(with_extras(material, kNothing, kNothing).import(), InputError) << material;
+  };
+  refused({{"texture", {{"procedure", "marbel"}}}});
+  refused({{"texture", {{"scale", 1}}}});
+  refused({{"texture", {{"procedure", "marble"}, {"scale", 0}}}});
+  refused({{"texture", {{"procedure", "marble"}, {"axis", {0, 0, 0}}}}});
+  refused({{"texture", {{"procedure", "noise"}, {"octaves", 17}}}});
+  refused({{"mapping", {{"surface", "spere"}}}});
+  refused({{"mapping", {{"surface", "sphere"}, {"repeats", {0, 1}}}}});
+  refused({{"mapping", {{"surface", "sphere"}, {"size", 0}}}});
+  refused({{"tiles", "some"}});
+}
+
 TEST(ImportExtras, LightMayBeNegative) {
   const Scene scene =
       with_extras(kNothing, {{"intensity", -0.5}, {"attenuation", {1, 0.5, 0.25}}, {"spotExponent", 8}},
@@ -141,9 +205,14 @@ json written_form(const gltf::Schema& table) {
 
 json written_form(const gltf::Property& row) {
   json number = {{"type", "number"}};
-  if (row.range.min != gltf::Range{}.min) number["minimum"] = row.range.min;
+  if (row.range.min != gltf::Range{}.min) {
+    number[row.above_min ? "exclusiveMinimum" : "minimum"] = row.range.min;
+  }
   if (row.range.max != gltf::Range{}.max) number["maximum"] = row.range.max;
   switch (row.kind) {
+    case gltf::Kind::integer:
+      number["type"] = "integer";
+      return number;
     case gltf::Kind::number:
       return number;
     case gltf::Kind::numbers:
@@ -192,6 +261,9 @@ json sample(const gltf::Property& row) {
   if (row.kind == gltf::Kind::numbers) return std::vector<double>(row.min_items, kNumber);
   if (row.kind == gltf::Kind::number) return kNumber;
   if (row.kind == gltf::Kind::text) return std::string(row.choices.substr(row.choices.rfind('|') + 1));
+  if (row.name == "texture") return {{"procedure", "marble"}};
+  if (row.name == "mapping") return {{"surface", "box"}};
+  if (row.kind == gltf::Kind::integer) return 3;
   return {{"mode", "linear"}};
 }
 
@@ -210,6 +282,21 @@ std::string settings_of(const Scene& scene) {
   put(settings.background);
   for (const auto& number : {material.shininess, light.exact_intensity, light.spot_exponent}) {
     text << number.value_or(-1) << ' ';
+  }
+  const TextureChoice& texture = scene.materials[0].texture;
+  if (texture.tiles) text << "tiles " << static_cast<int>(*texture.tiles) << ' ';
+  if (texture.solid) {
+    const SolidTexture& solid = *texture.solid;
+    const raster::Pattern& pattern = solid.pattern;
+    text << static_cast<int>(pattern.kind) << ' ' << static_cast<int>(solid.space) << ' ' << solid.scale
+         << ' ' << solid.axis.x << ' ' << pattern.octaves << ' ' << pattern.gain << ' ' << pattern.turbulence
+         << ' ' << pattern.has_threshold << ' ' << pattern.colors[0][0] << ' ' << pattern.colors[1][0] << ' ';
+  }
+  if (texture.mapping) {
+    const MappingChoice& mapping = *texture.mapping;
+    text << static_cast<int>(mapping.surface) << ' ' << static_cast<int>(mapping.ray) << ' '
+         << mapping.at_vertices << ' ' << mapping.axis.x << ' ' << mapping.centre.has_value() << ' '
+         << mapping.size << ' ' << mapping.repeats.x << ' ' << mapping.offset.x;
   }
   if (settings.fog) {
     text << static_cast<int>(settings.fog->mode) << ' ' << settings.fog->density << ' ' << settings.fog->start
@@ -234,6 +321,12 @@ TEST(ImportExtras, EveryRowOfTheTableIsRead) {
               [](const json& value) { return with_extras(kNothing, value, kNothing); });
   expect_read(barrido_of_scenes(), kNothing,
               [](const json& value) { return with_extras(kNothing, kNothing, value); });
+  expect_read(schema_at(barrido_of_materials(), "texture"), {{"procedure", "noise"}}, [](const json& value) {
+    return with_extras({{"texture", value}}, kNothing, kNothing);
+  });
+  expect_read(schema_at(barrido_of_materials(), "mapping"), {{"surface", "sphere"}}, [](const json& value) {
+    return with_extras({{"mapping", value}}, kNothing, kNothing);
+  });
   expect_read(schema_at(barrido_of_scenes(), "fog"), {{"mode", "linear"}}, [](const json& value) {
     return with_extras(kNothing, kNothing, {{"fog", value}});
   });

@@ -117,10 +117,38 @@ void RandomOptions::set_looks(scene::RenderSettings& s) {
   s.textures = coin();
   s.maps.drawn = coin();
   s.wireframe = coin();
-  s.overlays = {coin(), coin(), coin()};
+  s.overlays = {coin(), coin(), coin(), coin()};
   s.color_management = static_cast<scene::ColorManagement>(whole(2));
   s.exposure_ev = coin() ? number(32.0f) : 0.0f;
   s.tone_map = static_cast<raster::ToneMap>(whole(2));
+}
+
+void RandomOptions::set_texture(cli::RenderOptions& options) {
+  scene::TextureChoice& texture = options.settings.texture;
+  if (coin()) texture.tiles = static_cast<raster::TileChange>(whole(4));
+  if (coin()) {
+    texture.mapping.emplace();
+    texture.mapping->surface = static_cast<raster::MappingSurface>(1 + whole(4));
+    texture.mapping->ray = static_cast<raster::MappingRay>(whole(4));
+    texture.mapping->at_vertices = coin();
+    texture.mapping->axis = vector(1.0f);
+    if (coin()) texture.mapping->centre = vector(10.0f);
+    if (coin()) texture.mapping->size = share() + 1e-3f;
+    texture.mapping->repeats = {share() + 0.5f, -share() - 0.5f};
+    texture.mapping->offset = {share(), number(3.0f)};
+  }
+  if (coin()) {
+    options.texture_path = "a folder/it's $here.png";
+    return;
+  }
+  scene::SolidTexture solid = scene::standard_solid(static_cast<raster::PatternKind>(whole(5)));
+  if (coin()) solid.scale = share() + 1e-3f;
+  if (coin()) solid.axis = vector(1.0f);
+  solid.space = static_cast<scene::SolidTexture::Space>(whole(3));
+  if (coin()) solid.pattern.colors[1] = {share(), share(), share(), coin() ? 1.0f : share()};
+  if (solid.pattern.kind >= raster::PatternKind::noise && coin()) solid.pattern.octaves = 1 + whole(16);
+  if (solid.pattern.kind >= raster::PatternKind::wood && coin()) solid.pattern.turbulence = number(4.0f);
+  texture.solid = solid;
 }
 
 void RandomOptions::set_material(scene::MaterialOverride& material) {
@@ -144,6 +172,7 @@ cli::RenderOptions RandomOptions::next() {
   set_looks(s);
   set_camera(options);
   if (coin()) set_material(s.material);
+  if (coin()) set_texture(options);
   for (int i = whole(4); i > 0; --i) s.lights.push_back(light());
   if (s.lights.empty()) s.no_lights = coin();
   if (coin()) s.lights_off = {0, 2 + whole(5)};
@@ -209,7 +238,12 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(settings.overlays.edges);
   EXPECT_SAME(settings.overlays.normals);
   EXPECT_SAME(settings.overlays.light_markers);
+  EXPECT_SAME(settings.overlays.mapping);
   EXPECT_SAME(settings.material);
+  EXPECT_SAME(texture_path);
+  EXPECT_SAME(settings.texture.solid);
+  EXPECT_SAME(settings.texture.mapping);
+  EXPECT_SAME(settings.texture.tiles);
   EXPECT_SAME(settings.crease_angle_deg);
   EXPECT_SAME(settings.color_management);
   EXPECT_SAME(settings.exposure_ev);

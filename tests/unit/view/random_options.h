@@ -26,6 +26,7 @@ class RandomOptions {
   scene::UserLight light();
   void set_camera(cli::RenderOptions& options);
   void set_looks(scene::RenderSettings& settings);
+  void set_texture(cli::RenderOptions& options);
   void set_material(scene::MaterialOverride& material);
 
   std::mt19937 engine_;

@@ -71,7 +71,10 @@ class RandomValues {
               "exp:" + shortest_double(between({0, 1})),
               "linear:" + shortest_double(between({})) + ",20000:" + vector({0, 1}),
               "point:color=" + vector({0, 2}) + ":pos=" + vector({}) + ":range=3",
-              "spot:cutoff=12.3:space=camera"};
+              "spot:cutoff=12.3:space=camera",
+              "marble:scale=" + shortest_double(between({1e-3, 10})) + ":dark=" + vector({0, 1}),
+              "a folder/it's $here.png",
+              "sphere:from=normal:size=" + shortest_double(between({1e-3, 10}))};
     }
     return {};
   }
