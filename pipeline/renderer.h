@@ -27,6 +27,8 @@ struct Statistics {
   std::uint64_t powers = 0;                  ///< Evaluations of x^n; after finish().
   std::uint64_t interpolations =
       0;  ///< Quantities × fragments: one addition each in the incremental form (S5).
+  std::uint64_t displaced_vertices = 0;   ///< Made by displacement before the draws,
+  std::uint64_t displaced_triangles = 0;  ///< and the triangles between them.
   raster::RasterStatistics raster;
 };
 

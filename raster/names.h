@@ -22,7 +22,9 @@ inline constexpr auto kNames<raster::MinFilter> = std::to_array<Named<raster::Mi
      {raster::MinFilter::nearest_mipmap_nearest, "nearest-mipmap-nearest", "nearest mip nearest"},
      {raster::MinFilter::linear_mipmap_nearest, "linear-mipmap-nearest", "linear mip nearest"},
      {raster::MinFilter::nearest_mipmap_linear, "nearest-mipmap-linear", "nearest mip linear"},
-     {raster::MinFilter::linear_mipmap_linear, "linear-mipmap-linear", "linear mip linear"}});
+     {raster::MinFilter::linear_mipmap_linear, "linear-mipmap-linear", "linear mip linear"},
+     {raster::MinFilter::footprint, "footprint", "mean of the footprint"},
+     {raster::MinFilter::corners, "corners", "mean of its corners"}});
 
 template <>
 inline constexpr auto kNames<raster::MagFilter> = std::to_array<Named<raster::MagFilter>>(

@@ -43,7 +43,7 @@ void apply_texture(const FragmentStage& stage, TileWorkspace& workspace) {
   if (changes_tiles(*batch.state, unit)) change_tiles(batch, unit);
   const bool is_sampled_in_place =
       state.env_mode == TextureEnvMode::replace || state.env_mode == TextureEnvMode::modulate;
-  if (state.procedure != nullptr || !is_sampled_in_place) {
+  if (state.procedure != nullptr || has_wide_filter(state) || !is_sampled_in_place) {
     sample_unit(workspace, unit);
     return combine_texture(batch, unit, workspace.texel, workspace.primary);
   }
@@ -135,7 +135,13 @@ void sample_unit(TileWorkspace& workspace, int unit) {
         state.procedure->vector(state, points_of(batch, unit, workspace.extent), workspace.texel);
     return;
   }
-  find_levels(workspace.lod_groups[unit], workspace.lod_group_count, unit, batch, workspace.levels);
+  const LodGroups& groups = workspace.lod_groups[unit];
+  if (has_wide_filter(state)) {
+    workspace.statistics.texel_fetches +=
+        sample_wide(groups, workspace.lod_group_count, batch, unit, workspace.texel);
+    return;
+  }
+  find_levels(groups, workspace.lod_group_count, unit, batch, workspace.levels);
   workspace.statistics.texel_fetches += sample_texture(batch, unit, workspace.levels, workspace.texel);
 }
 

@@ -134,6 +134,22 @@ void read_textures(const Report& report, const json& from, const std::string& pl
   if (from.contains("tiles")) choice.tiles = value_of(from, "tiles", raster::TileChange::none);
 }
 
+/// Heights from a picture, or 1 everywhere.
+void read_displacement(Import& import, const json& from, Material& material) {
+  const auto found = from.find("displacement");
+  if (found == from.end()) return;
+  MaterialDisplacement displacement;
+  displacement.by.scale = to_float(found->value("scale", double{displacement.by.scale}));
+  displacement.by.bias = to_float(found->value("bias", double{displacement.by.bias}));
+  displacement.by.pieces = found->value("pieces", displacement.by.pieces);
+  if (const auto texture = found->find("texture"); texture != found->end()) {
+    displacement.texture =
+        texture_use(import, texture->value("index", kNone), texture->value("texCoord", 0), {});
+    if (displacement.texture.texture == kNone) return;
+  }
+  material.displacement = std::make_shared<const MaterialDisplacement>(displacement);
+}
+
 void read_light(const Report& report, const json& from, const std::string& place, Light& light) {
   read(from, "intensity", light.exact_intensity);
   read(from, "attenuation", light.attenuation);
@@ -180,6 +196,7 @@ void import_material_extras(Import& import) {
     read_material(barrido, import.scene.materials[i].exact);
     read_maps(import, barrido, import.scene.materials[i]);
     read_textures(import.report, barrido, element("materials", i), import.scene.materials[i].texture);
+    read_displacement(import, barrido, import.scene.materials[i]);
   });
 }
 

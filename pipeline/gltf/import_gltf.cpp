@@ -28,6 +28,7 @@ Scene import_document(Report& report, const Document& document, const ImportOpti
   Import import{report, document, reader, options, scene, drawn};
   check_extensions(import);
   import_materials(import);
+  import_material_extras(import);
   import_images(import);
   import_variants(import);
   import_cameras(import);

@@ -63,6 +63,9 @@ std::vector<std::uint64_t> pixel_bytes(const Import& import, std::size_t count, 
         mark(import.scene, *use, kTextureBytes, used);
       }
     }
+    if ((roles & kLayerImage) && material.displacement) {
+      mark(import.scene, material.displacement->texture, kTextureBytes, used);
+    }
     if (roles & kEmissiveImage) mark(import.scene, material.emissive_texture, kTextureBytes, used);
   }
   return used;

@@ -2,6 +2,7 @@
 // (docs/barrido-extras.schema.json). Drawing looks at the rows in their order and names the first that is
 // wrong.
 #include "pipeline/gltf/schema_parts.h"
+#include "pipeline/scene/scene.h"
 #include "raster/textures/pattern.h"
 
 namespace barrido::scene::gltf {
@@ -50,6 +51,10 @@ constexpr Property kBarridoMappingProperties[] = {
     fatal(numbers("repeats", 2)),
     fatal(numbers("offset", 2))};
 constexpr Schema kBarridoMapping{.properties = kBarridoMappingProperties, .closed = true};
+constexpr Property kDisplacementProperties[] = {
+    object("texture", kTextureInfo), fatal(number("scale", -1e6, 1e6)), fatal(number("bias", -1e6, 1e6)),
+    integer("pieces", 1, kMaxDisplacedPieces)};
+constexpr Schema kDisplacement{.properties = kDisplacementProperties, .closed = true};
 constexpr Property kMapProperties[] = {fatal(required(index("index", Collection::textures))),
                                        fatal(integer("texCoord", 0))};
 constexpr Schema kMap{.properties = kMapProperties, .closed = true};
@@ -67,7 +72,8 @@ constexpr Property kBarridoMaterialProperties[] = {fatal(numbers("ambient", 3, k
                                                    fatal(object("specularityTexture", kMap)),
                                                    object("texture", kBarridoTexture),
                                                    object("mapping", kBarridoMapping),
-                                                   fatal(text("tiles", "none|rotate|shift|both"))};
+                                                   fatal(text("tiles", "none|rotate|shift|both")),
+                                                   object("displacement", kDisplacement)};
 constexpr Schema kBarridoMaterial{.properties = kBarridoMaterialProperties, .closed = true};
 constexpr Property kFogProperties[] = {fatal(required(text("mode", "linear|exp|exp2"))),
                                        fatal(number("density", 0)), fatal(number("start", 0)),

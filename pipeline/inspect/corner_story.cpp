@@ -197,6 +197,10 @@ std::vector<CornerStory> tell_corners(const FragmentContext& context, const Fram
   std::vector<CornerStory> corners;
   for (const std::uint32_t vertex : corner_vertices(place, primitive, source)) {
     corners.push_back(tell_corner(draw, vertex, back));
+    const scene::Displaced* displaced = place.origin->displaced;
+    if (displaced != nullptr && vertex < displaced->amount.size()) {
+      corners.back().displaced = displaced->amount[vertex];
+    }
   }
   if (corners.size() == 3) {
     weigh_corners(context, draw, corners);

@@ -1,29 +1,53 @@
+#include <algorithm>
 #include <vector>
 
 #include "pipeline/inspect/fragment_census.h"
 #include "pipeline/inspect/view_observers.h"
 #include "pipeline/map_stages.h"
+#include "raster/reference/fragment_walk.h"
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/sampling.h"
+#include "raster/reference/wide_filters.h"
 
 namespace barrido::inspect {
 namespace {
 
 using Counts = std::vector<std::uint32_t>;
 
+/// How many depends on where the fragment lies.
+std::uint32_t wide_texels_of(const CensusFragment& fragment, int unit) {
+  const raster::FragmentState& state = *fragment.place.chunk.state;
+  raster::reference::Fragment interpolated;
+  raster::reference::interpolate(fragment.place, interpolated);
+  float coordinates[3] = {0, 0, 0};
+  std::copy_n(interpolated.varying + state.varyings.at(raster::Meaning::texcoord, unit),
+              state.varyings.floats(raster::Meaning::texcoord, unit), coordinates);
+  return raster::reference::sample_wide(state.texture_units[static_cast<std::size_t>(unit)],
+                                        raster::texcoord_kind(state, unit), coordinates,
+                                        interpolated.lod[unit], interpolated.slopes[unit])
+      .texels;
+}
+
+std::uint32_t usual_texels_of(const CensusFragment& fragment, int unit) {
+  const raster::FragmentState& state = *fragment.place.chunk.state;
+  const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
+  const raster::TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  return static_cast<std::uint32_t>(raster::reference::choose_levels(texture, lod).texels());
+}
+
 std::uint32_t texels_of(const CensusFragment& fragment) {
   const raster::FragmentState& state = *fragment.place.chunk.state;
   std::uint32_t texels = 0;
   for (int unit = 0; unit < raster::kMaxTextureUnits; ++unit) {
     if (!raster::has_picture(state, unit)) continue;
-    const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
     const raster::TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
-    const int texels_once = raster::reference::choose_levels(texture, lod).texels();
     // Slopes are differences along each axis.
     const int times = texture.role == raster::TextureRole::bump
                           ? 2 * pipeline::bump_steps(texture, texcoord_kind(state, unit)).axes
                           : 1;
-    texels += static_cast<std::uint32_t>(texels_once * times);
+    const std::uint32_t once =
+        raster::has_wide_filter(texture) ? wide_texels_of(fragment, unit) : usual_texels_of(fragment, unit);
+    texels += once * static_cast<std::uint32_t>(times);
   }
   return texels;
 }

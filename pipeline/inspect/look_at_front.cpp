@@ -16,6 +16,7 @@
 #include "raster/reference/level_of_detail.h"
 #include "raster/reference/mapping.h"
 #include "raster/reference/sampling.h"
+#include "raster/reference/wide_filters.h"
 
 namespace barrido::inspect {
 namespace {
@@ -53,7 +54,12 @@ float mip_level(const CensusFragment& fragment) {
   const int unit = picture_unit(state);
   if (unit == raster::kAbsent) return kNothing;
   const float lod = raster::reference::level_of_detail(state, unit, fragment.place.along, fragment.place.x);
-  return raster::reference::choose_levels(state.texture_units[static_cast<std::size_t>(unit)], lod).level();
+  const raster::TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  if (!raster::has_wide_filter(texture)) return raster::reference::choose_levels(texture, lod).level();
+  return raster::reference::choose_wide_levels(
+             texture, lod,
+             raster::reference::coordinate_slopes(state, unit, fragment.place.along, fragment.place.x))
+      .level();
 }
 
 /// log2 of how many texels of its picture a pixel is wide.

@@ -79,6 +79,7 @@ struct CornerStory {
   float w = 1;                       ///< Clip-space w.
   double weight = 0;                 ///< Perspective-correct barycentric coordinate of the pixel's centre.
   double screen_weight = 0;          ///< Linear on the screen; 0 for clipped triangles.
+  std::optional<float> displaced;    ///< How far displacement has moved it, along its normal.
   std::optional<Color> lit;          ///< Gouraud: the colour that is interpolated.
   std::optional<Rgb> lit_secondary;
 };

@@ -28,6 +28,7 @@ Json corner_json(const CornerStory& c) {
             {"w", c.w},
             {"weight", c.weight},
             {"screen_weight", c.screen_weight}};
+  if (c.displaced) json["displaced"] = *c.displaced;
   if (c.lit) json["lit"] = list(*c.lit);
   if (c.lit_secondary) json["lit_secondary"] = list(*c.lit_secondary);
   return json;
@@ -94,7 +95,10 @@ Json span_json(const FragmentTrace& trace) {
 }
 
 Json level_json(const raster::reference::LevelTrace& level) {
-  Json json{{"level", level.level}, {"size", {level.width, level.height}}, {"texels", Json::array()}};
+  Json json{{"probe", level.probe},
+            {"level", level.level},
+            {"size", {level.width, level.height}},
+            {"texels", Json::array()}};
   for (const raster::reference::TexelTrace& texel : level.texels) {
     json["texels"].push_back(
         {{"i", texel.i}, {"j", texel.j}, {"color", list(texel.color)}, {"weight", texel.weight}});
@@ -120,6 +124,11 @@ Json unit_json(const UnitTrace& unit, const TextureStory& texture, const raster:
             {"lod", unit.sample.lod},
             {"magnified", unit.sample.magnified}};
   for (const auto& note : unit.notes) json["notes"][std::string(note.name)] = note.values;
+  if (unit.sample.footprint) {
+    const auto& footprint = *unit.sample.footprint;
+    json["footprint"] = {
+        {"along_x", footprint.along_x}, {"along_y", footprint.along_y}, {"samples", footprint.probes}};
+  }
   if (texture.cube) json["face"] = name_of_face(unit.sample.face);
   json["levels"] = Json::array();
   for (const auto& level : unit.sample.levels) json["levels"].push_back(level_json(level));

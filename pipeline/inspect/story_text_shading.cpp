@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/inspect/story_text_parts.h"
 #include "pipeline/inspect/story_words.h"
@@ -22,6 +23,7 @@ void tell_corners(const FragmentStory& f, Lines& lines) {
       line += " (" + number(c.screen_weight) + " on the screen)";
     }
     lines.add(2, line);
+    if (c.displaced) lines.add(3, "displaced by " + number(*c.displaced) + " along its normal");
     lines.add(3, "window (" + number(c.window_x) + ", " + number(c.window_y) + "), z = " + number(c.depth) +
                      ", w = " + number(c.w));
     if (c.lit) {
@@ -88,6 +90,19 @@ std::string texture_words(const UnitTrace& unit, const TextureStory& texture,
          (unit.sample.magnified ? " (magnified)" : "") + ":";
 }
 
+/// The shape of the pixel on the texture, where the filter follows it.
+void tell_footprint(const raster::reference::SampleTrace& sample, Lines& lines) {
+  if (!sample.footprint) return;
+  const auto& f = *sample.footprint;
+  const auto side = [](const float(&to)[2]) { return std::hypot(to[0], to[1]); };
+  lines.add(2, "footprint: sides " + tuple(std::span<const float>(f.along_x, 2)) + " and " +
+                   tuple(std::span<const float>(f.along_y, 2)) + " in texels, " + number(side(f.along_x)) +
+                   " and " + number(side(f.along_y)) + " long; " +
+                   (f.probes == 0   ? "all texels under it"
+                    : f.probes == 1 ? "one sample"
+                                    : std::to_string(f.probes) + " samples"));
+}
+
 void tell_sample(const UnitTrace& unit, const TextureStory& texture, Lines& lines) {
   const auto& sample = unit.sample;
   const bool plain = !texture.cube;
@@ -95,16 +110,31 @@ void tell_sample(const UnitTrace& unit, const TextureStory& texture, Lines& line
   lines.add(2, (plain ? "s, t = " + tuple(place) : "direction = " + tuple(unit.coordinates)) +
                    (plain ? "" : ", place on the face " + number(sample.u) + ", " + number(sample.v)) +
                    "; level of detail λ = " + number(sample.lod));
+  tell_footprint(sample, lines);
+  int probe = 0;
   for (const auto& level : sample.levels) {
+    if (level.probe != probe) lines.add(2, "sample " + std::to_string((probe = level.probe) + 1) + ":");
     lines.add(2, "level " + std::to_string(level.level) + " (" + std::to_string(level.width) + " x " +
                      std::to_string(level.height) + "):");
-    for (const auto& texel : level.texels) {
+    constexpr std::size_t kMostTold = 16;
+    const std::size_t told = std::min(level.texels.size(), kMostTold);
+    for (std::size_t i = 0; i < told; ++i) {
+      const auto& texel = level.texels[i];
       lines.add(3, "texel " + at(texel.i, texel.j) + " " + tuple(texel.color) +
                        (level.texels.size() > 1 ? " x " + number(texel.weight) : ""));
     }
+    if (told < level.texels.size()) {
+      lines.add(3, "and " + std::to_string(level.texels.size() - told) + " texels more");
+    }
     if (level.texels.size() > 1) lines.add(3, "= " + tuple(level.color));
   }
-  if (sample.levels.size() > 1) {
+  if (sample.footprint && sample.footprint->probes > 1) {
+    lines.add(2, "mean of the " + std::to_string(sample.footprint->probes) + " samples" +
+                     (sample.levels.size() > static_cast<std::size_t>(sample.footprint->probes)
+                          ? ", " + number(sample.far_weight) + " of each from the smaller level"
+                          : "") +
+                     " = " + tuple(sample.color));
+  } else if (sample.levels.size() > 1) {
     lines.add(2, number(1.0f - sample.far_weight) + " of level " + std::to_string(sample.levels[0].level) +
                      " + " + number(sample.far_weight) + " of level " +
                      std::to_string(sample.levels[1].level) + " = " + tuple(sample.color));

@@ -78,9 +78,44 @@ bool mirrors(const glm::mat4& matrix) { return glm::determinant(glm::dmat3(glm::
 
 }  // namespace
 
+namespace {
+
+/// The vertices of a draw: the file's, deformed in this pose, displaced.
+PreparedGeometry& geometry_of(const Scene& scene, const Pose& pose, Draw& draw, const DrawListInputs& inputs,
+                              DrawList& list) {
+  const auto index = static_cast<std::size_t>(draw.primitive);
+  const Primitive& primitive = scene.meshes[static_cast<std::size_t>(draw.mesh)].primitives[index];
+  const std::optional<float> crease = inputs.crease_angle_deg;
+  if (!is_deformed(scene, draw.node, primitive)) {
+    const std::optional<HeightMap> heights = inputs.displacer.heights_of(draw.material);
+    if (heights) return inputs.displacer.displaced(draw.mesh, draw.primitive, crease, *heights);
+    return inputs.geometry.get(draw.mesh, draw.primitive, crease);
+  }
+  list.deformed.push_back(prepare_deformed(primitive, deform(scene, pose, draw.node, primitive), crease));
+  PreparedGeometry& prepared = *list.deformed.back();
+  if (prepared.deformed.in_world_space) draw.world_from_object = glm::mat4(1.0f);
+  if (const std::optional<HeightMap> heights = inputs.displacer.heights_of(draw.material)) {
+    inputs.displacer.displace_for_frame(prepared, draw.mesh, draw.primitive, *heights);
+  }
+  return prepared;
+}
+
+/// The same vertices with the tangents that the draw's normal map asks for; null where there can be none.
+PreparedGeometry* with_tangents(PreparedGeometry& prepared, const Draw& draw, const DrawListInputs& inputs,
+                                DrawList& list) {
+  const TangentUse& tangents = draw.surface.tangents;
+  const bool is_of_file = prepared.deformed.positions.empty() && prepared.displaced.pieces == 0;
+  if (is_of_file) return inputs.geometry.get(draw.mesh, draw.primitive, inputs.crease_angle_deg, tangents);
+  auto own = prepare_tangents(prepared, tangents);
+  PreparedGeometry* const drawn = own.get();
+  if (own) list.deformed.push_back(std::move(own));
+  return drawn;
+}
+
+}  // namespace
+
 DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const Pose& pose,
-                       std::optional<float> crease_angle_deg, const SurfaceOptions& options,
-                       GeometryCache& geometry, TextureCache& textures) {
+                       const DrawListInputs& inputs) {
   DrawList list;
   for (const int node : nodes) {
     const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
@@ -93,44 +128,34 @@ DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const 
       draw.node = node;
       draw.mesh = mesh;
       draw.primitive = static_cast<int>(i);
-      const auto variant = primitive.variant_materials.find(options.variant);
+      const auto variant = primitive.variant_materials.find(inputs.options.variant);
       draw.material = variant != primitive.variant_materials.end() ? variant->second : primitive.material;
       draw.world_from_object = pose.world_from_node[static_cast<std::size_t>(node)];
-      PreparedGeometry* prepared = nullptr;
-      const bool deformed = is_deformed(scene, node, primitive);
-      if (deformed) {
-        list.deformed.push_back(
-            prepare_deformed(primitive, deform(scene, pose, node, primitive), crease_angle_deg));
-        prepared = list.deformed.back().get();
-        if (prepared->deformed.in_world_space) draw.world_from_object = glm::mat4(1.0f);
-      } else {
-        prepared = &geometry.get(mesh, static_cast<int>(i), crease_angle_deg);
+      PreparedGeometry& prepared = geometry_of(scene, pose, draw, inputs, list);
+      const Displaced* displaced = prepared.displaced.pieces > 0 ? &prepared.displaced : nullptr;
+      if (displaced != nullptr) {
+        list.displaced_vertices += prepared.displaced.amount.size();
+        list.displaced_triangles += prepared.displaced.triangles;
       }
       draw.mirrored = mirrors(draw.world_from_object);
-      draw.center = prepared->center;
-      const SurfaceUse use{&primitive, draw.material, prepared->geometry.normal.data != nullptr,
-                           prepared->colors.data != nullptr, scale_of(scene, draw)};
-      for (SurfaceState& surface : make_surfaces(scene, use, options, textures)) {
+      draw.center = prepared.center;
+      const SurfaceUse use{&primitive, draw.material, prepared.geometry.normal.data != nullptr,
+                           prepared.colors.data != nullptr, scale_of(scene, draw)};
+      for (SurfaceState& surface : make_surfaces(scene, use, inputs.options, inputs.textures)) {
         draw.surface = std::move(surface);
-        PreparedGeometry* drawn = prepared;
-        if (draw.surface.normal_unit != kNone && !has_tangents(*prepared, draw.surface.tangents)) {
-          const TangentUse& tangents = draw.surface.tangents;
-          if (deformed) {
-            auto own = prepare_tangents(*prepared, tangents);
-            drawn = own.get();
-            if (own) list.deformed.push_back(std::move(own));
-          } else {
-            drawn = geometry.get(mesh, static_cast<int>(i), crease_angle_deg, tangents);
-          }
+        PreparedGeometry* drawn = &prepared;
+        if (draw.surface.normal_unit != kNone && !has_tangents(prepared, draw.surface.tangents)) {
+          drawn = with_tangents(prepared, draw, inputs, list);
           if (drawn == nullptr) {
             drop_normal_map(draw.surface);
-            drawn = prepared;
+            drawn = &prepared;
           }
         }
         draw.geometry = geometry_for(*drawn, draw.surface);
         if (draw.surface.placed_unit != kNone) {
-          place_texture(*drawn, geometry.box_of(mesh), options, draw, list);
+          place_texture(*drawn, inputs.geometry.box_of(mesh), inputs.options, draw, list);
         }
+        draw.displaced = drawn == &prepared ? displaced : nullptr;  // Others have other vertices.
         list.draws.push_back(draw);
       }
     }

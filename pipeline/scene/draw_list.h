@@ -7,6 +7,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "pipeline/scene/displacer.h"
 #include "pipeline/scene/prepared_geometry.h"
 #include "pipeline/scene/surface.h"
 
@@ -21,7 +22,8 @@ struct Draw {
   bool mirrored = false;  ///< The matrix turns left into right, and so front into back.
   SurfaceState surface;
   pipeline::Geometry geometry;
-  glm::vec3 center{0, 0, 0};  ///< Middle of the bounding box, object space
+  glm::vec3 center{0, 0, 0};             ///< Middle of the bounding box, object space
+  const Displaced* displaced = nullptr;  ///< Null where it is not.
 };
 
 struct DrawList {
@@ -30,11 +32,21 @@ struct DrawList {
   std::vector<std::unique_ptr<PreparedGeometry>> deformed;
   /// Texture coordinates that were made for this frame; the draws point into them.
   std::vector<std::unique_ptr<std::vector<float>>> coordinates;
+  std::uint64_t displaced_vertices = 0, displaced_triangles = 0;  ///< Of all draws
 };
 
-/// The draws of `nodes` in `pose`. Arrays that do not depend on the pose stay in `geometry`.
+/// What of the settings the draws depend on, and what lives longer than they.
+struct DrawListInputs {
+  std::optional<float> crease_angle_deg;
+  const SurfaceOptions& options;
+  Displacer& displacer;
+  GeometryCache& geometry;
+  TextureCache& textures;
+};
+
+/// The draws of `nodes` in `pose`. Arrays that do not depend on the pose stay in `geometry`. @throws
+/// LimitError where a displacement takes more memory than it may.
 DrawList collect_draws(const Scene& scene, const std::vector<int>& nodes, const Pose& pose,
-                       std::optional<float> crease_angle_deg, const SurfaceOptions& options,
-                       GeometryCache& geometry, TextureCache& textures);
+                       const DrawListInputs& inputs);
 
 }  // namespace barrido::scene

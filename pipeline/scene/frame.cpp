@@ -1,7 +1,9 @@
 #include "pipeline/scene/frame.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -32,6 +34,22 @@ Bounds bounds_of(const Scene& scene, const PosedScene& posed, const RenderSettin
         up, find_bounds(scene, posed.nodes, framing_poses(scene, settings.animation), glm::dvec3(up))};
   }
   return slot->second.second;
+}
+
+/// Room for what displacement moves outwards, as far as the largest node makes it.
+Bounds grown(Bounds bounds, const Scene& scene, const PosedScene& posed, const RenderSettings& settings) {
+  double largest = 0.0;
+  for (const int node : posed.nodes) {
+    const auto index = static_cast<std::size_t>(node);
+    if (scene.nodes[index].mesh == kNone) continue;
+    const glm::dmat3 matrix(glm::mat3(posed.pose.world_from_node[index]));
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::dot(matrix[c], matrix[c]));
+  }
+  const double by = double{farthest_displacement(scene, settings.displacement)} * std::sqrt(largest);
+  if (!(by > 0.0) || !std::isfinite(by)) return bounds;
+  bounds.sphere.radius += by;
+  for (glm::dvec2& ring : bounds.rings) ring += glm::dvec2(by, ring.y < 0.0 ? -by : by);
+  return bounds;
 }
 
 float light_scale(const Scene& scene, const PosedScene& posed, SceneCaches& caches) {
@@ -98,6 +116,7 @@ SurfaceOptions surface_options(const RenderSettings& settings) {
   options.mip_colors = settings.mip_colors;
   options.min_filter = settings.min_filter;
   options.mag_filter = settings.mag_filter;
+  options.max_anisotropy = settings.max_anisotropy;
   options.reflections = settings.environment ? Reflections::all : Reflections::metals;
   options.specular_model = settings.lighting;
   options.material = settings.material;
@@ -166,7 +185,7 @@ PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneC
   posed.scene_index = resolve_scene_index(scene, settings.scene_index);
   posed.nodes = nodes_of_scene(scene, posed.scene_index);
   posed.pose = pose_at(scene, settings.animation, settings.time_s);
-  posed.bounds = bounds_of(scene, posed, settings, caches);
+  posed.bounds = grown(bounds_of(scene, posed, settings, caches), scene, posed, settings);
   return posed;
 }
 
@@ -194,8 +213,10 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
   options.origin = frame.posed.pose.origin;
   options.eye_from_world = frame.view.eye_from_world;
   caches.textures.give(settings.texture.picture);
-  frame.list = collect_draws(scene, frame.posed.nodes, frame.posed.pose, settings.crease_angle_deg, options,
-                             caches.geometry, caches.textures);
+  caches.displacer.begin_frame(settings, warnings);
+  frame.list =
+      collect_draws(scene, frame.posed.nodes, frame.posed.pose,
+                    {settings.crease_angle_deg, options, caches.displacer, caches.geometry, caches.textures});
   warn_of_dropped_maps(frame, settings, warnings);
   warn_of_coordinates(frame, settings, warnings);
   choose_surroundings(frame, own, settings, caches);

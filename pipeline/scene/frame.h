@@ -20,10 +20,11 @@ namespace barrido::scene {
 
 /// What does not change from frame to frame, made when first needed.
 struct SceneCaches {
-  explicit SceneCaches(const Scene& scene) : textures(scene), geometry(scene) {}
+  explicit SceneCaches(const Scene& scene) : textures(scene), geometry(scene), displacer(scene, textures) {}
 
   TextureCache textures;
   GeometryCache geometry;
+  Displacer displacer;
   ReflectionMaps reflections;
   std::map<raster::Encoding, raster::Texture> studio;
   std::map<std::pair<int, int>, std::pair<glm::vec3, Bounds>>

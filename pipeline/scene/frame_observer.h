@@ -8,6 +8,7 @@
 #include "pipeline/assembled_frame.h"
 #include "pipeline/geometry.h"
 #include "pipeline/scene/light_conversion.h"
+#include "pipeline/scene/prepared_geometry.h"
 #include "pipeline/scene/render_scene.h"
 #include "pipeline/scene/straight_alpha.h"
 #include "raster/tiles/framebuffer.h"
@@ -23,6 +24,7 @@ struct DrawOrigin {
   int material = kNone;  ///< kNone: glTF's default material
   /// As the primitive has it; the triangles of blended draws are sorted.
   const pipeline::Geometry* geometry = nullptr;
+  const Displaced* displaced = nullptr;  ///< Null where it is not.
 };
 
 struct ObservedFrame {

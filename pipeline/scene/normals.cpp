@@ -1,14 +1,13 @@
 #include "pipeline/scene/normals.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "pipeline/scene/weld.h"
 #include "raster/base/portable_math.h"
 
 namespace barrido::scene {
@@ -43,28 +42,6 @@ void append(std::vector<float>& normals, const glm::dvec3& normal) {
   const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0, 0, 1);
   normals.insert(normals.end(),
                  {static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)});
-}
-
-/// Number of the point each vertex stands at; equal positions have equal numbers.
-std::vector<std::uint32_t> weld(std::span<const float> positions) {
-  const std::size_t count = positions.size() / 3;
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
-  // Compared as bits, which is a strict order even where a number is not one; + 0 makes −0 equal to 0.
-  const auto key = [&](std::uint32_t vertex) {
-    const float* p = positions.data() + std::size_t{3} * vertex;
-    return std::array{std::bit_cast<std::uint32_t>(p[0] + 0.0f), std::bit_cast<std::uint32_t>(p[1] + 0.0f),
-                      std::bit_cast<std::uint32_t>(p[2] + 0.0f)};
-  };
-  const auto less = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
-  std::stable_sort(order.begin(), order.end(), less);
-  std::vector<std::uint32_t> point(count);
-  std::uint32_t next = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0 && less(order[i - 1], order[i])) ++next;
-    point[order[i]] = next;
-  }
-  return point;
 }
 
 /// The corners (triangle × 3 + 0..2) around each point, as one list with the place where each point begins.
@@ -147,7 +124,7 @@ NormalSplit flat_normals(std::span<const float> positions, std::span<const std::
 NormalSplit averaged_normals(std::span<const float> positions, std::span<const std::uint32_t> triangles,
                              double crease_angle_deg) {
   const std::vector<Face> faces = faces_of(positions, triangles);
-  const std::vector<std::uint32_t> point = weld(positions);
+  const std::vector<std::uint32_t> point = weld(positions, 3).number;
   const Corners corners = corners_by_point(point, triangles);
   // A little wider than asked, so that an angle of exactly the crease's is not decided by rounding.
   const double cos_crease = portable_cos(radians(std::clamp(crease_angle_deg, 0.0, 180.0))) - 1e-9;

@@ -29,6 +29,13 @@ struct TangentUse {
   bool with_lengths = false;
 };
 
+/// What displacement has made of a primitive; see displacement.h.
+struct Displaced {
+  int pieces = 0;  ///< That each edge was cut into; 0: none, it is not displaced.
+  std::size_t triangles = 0;
+  std::vector<float> amount;  ///< How far each vertex was moved along its normal.
+};
+
 /// One primitive's arrays. `geometry` and `texcoord_sets` point into the primitive or into the arrays below.
 struct PreparedGeometry {
   PreparedGeometry() = default;
@@ -41,6 +48,7 @@ struct PreparedGeometry {
   glm::vec3 center{0, 0, 0};   ///< Middle of the bounding box, in the positions' space
   pipeline::Attribute rest;    ///< Positions in the pose of the file
 
+  Displaced displaced;
   DeformedVertices deformed;
   std::vector<float> positions, normals, tangents, bitangents, rest_positions;
   std::array<std::vector<float>, 2> texcoords;

@@ -154,7 +154,8 @@ class PassRenderer {
     if (draw.node == pass_.without_node) return;
     const bool write_alpha = frame_.clear_color.a < 1.0f;
     if (pass_.observer != nullptr) {
-      origins_.push_back({false, draw.node, draw.mesh, draw.primitive, draw.material, &draw.geometry});
+      origins_.push_back(
+          {false, draw.node, draw.mesh, draw.primitive, draw.material, &draw.geometry, draw.displaced});
     }
     renderer_.draw(state_of(base_, settings_, pass_.view, draw, reflection_of(draw), write_alpha), geometry);
   }
@@ -307,6 +308,8 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
     finish_colors(framebuffer, backing, settings);
     self.warn(frame, settings, own, renderer.slices());
   }
+  work.displaced_vertices = frame.list.displaced_vertices;
+  work.displaced_triangles = frame.list.displaced_triangles;
   if (statistics != nullptr) *statistics = work;
   return framebuffer;
 }

@@ -75,6 +75,14 @@ struct MapOverride {
   std::optional<UserMap> specularity;
 };
 
+/// Displacement as the user wants it: of all surfaces, and in place of the materials' own.
+struct UserDisplacement {
+  std::string source;  ///< "constant" (height 1) or a picture's path; empty: as the materials say.
+  std::shared_ptr<const raster::Texture> picture;  ///< Of that path: linear, with mip levels.
+  std::optional<float> scale, bias;                ///< See Displacement.
+  std::optional<int> pieces;
+};
+
 /// Lines drawn over the finished picture.
 struct Overlays {
   bool edges = false;    ///< Of the triangles that are seen.
@@ -94,6 +102,7 @@ struct RenderSettings {
   pipeline::TextureInterpolation texture_interpolation = pipeline::TextureInterpolation::perspective;
   std::optional<raster::MinFilter> min_filter;  ///< Empty: the file's.
   std::optional<raster::MagFilter> mag_filter;
+  int max_anisotropy = 1;  ///< Samples along a footprint at most, of materials' pictures
   bool textures = true;
   TextureChoice texture;    ///< In place of every material's.
   bool mip_colors = false;  ///< Base colour pictures show a colour for each mip level.
@@ -113,7 +122,9 @@ struct RenderSettings {
   Overlays overlays;
   MaterialOverride material;
   MapOverride maps;
-  std::optional<float> crease_angle_deg;  ///< Set: normals are averaged where a model has none.
+  UserDisplacement displacement;
+  std::optional<std::uint64_t> max_memory;  ///< Bytes for displaced surfaces; empty: Budget's default.
+  std::optional<float> crease_angle_deg;    ///< Set: normals are averaged where a model has none.
   ColorManagement color_management = ColorManagement::srgb;
   float exposure_ev = 0.0f;
   raster::ToneMap tone_map = raster::ToneMap::clamp;

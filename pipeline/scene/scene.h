@@ -110,6 +110,22 @@ struct ExactMaterial {
   std::optional<float> shininess;
 };
 
+/// How far the points of a surface are moved along their normals before anything else is done with it (Cook
+/// 1984; T15): bias + scale·height, the height in [0, 1].
+struct Displacement {
+  float scale = 0.1f;  ///< In the mesh's own units, as `bias`; skinned meshes': the world's
+  float bias = 0.0f;
+  int pieces =
+      0;  ///< That each edge of a triangle is cut into, 1..kMaxDisplacedPieces; 0: as the heights ask for
+};
+inline constexpr int kMaxDisplacedPieces = 256;
+
+/// extras.barrido.displacement of a material: heights from a picture's red channel.
+struct MaterialDisplacement {
+  Displacement by;
+  TextureUse texture;
+};
+
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// KHR_materials_pbrSpecularGlossiness; the material's base colour is the diffuse one.
@@ -164,9 +180,10 @@ struct Material {
   // extras.barrido
   ExactMaterial exact;
   BumpMap bump;
-  TextureUse transparency_texture;  ///< R: 0 lets all through, 1 is opaque (T16)
-  TextureUse specularity_texture;   ///< RGB: factor of the highlights (T16)
-  TextureChoice texture;            ///< extras.barrido; never a picture.
+  TextureUse transparency_texture;                           ///< R: 0 lets all through, 1 is opaque (T16)
+  TextureUse specularity_texture;                            ///< RGB: factor of the highlights (T16)
+  TextureChoice texture;                                     ///< extras.barrido; never a picture.
+  std::shared_ptr<const MaterialDisplacement> displacement;  ///< Null: none.
 };
 
 /// Differences, one element a vertex; each may be empty.

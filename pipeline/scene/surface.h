@@ -21,6 +21,7 @@ struct SurfaceOptions {
   bool textures = true;
   std::optional<raster::MinFilter> min_filter;
   std::optional<raster::MagFilter> mag_filter;
+  int max_anisotropy = 1;
   Reflections reflections = Reflections::metals;
   pipeline::SpecularModel specular_model = pipeline::SpecularModel::blinn;
   ConversionLimits limits;

@@ -140,6 +140,7 @@ void SurfaceBuilder::add_map(const UserMap& map, raster::TextureRole role, float
   raster::TextureUnit& unit = next_unit();
   unit.min_filter = options_.min_filter.value_or(raster::MinFilter::linear_mipmap_linear);
   unit.mag_filter = options_.mag_filter.value_or(raster::MagFilter::linear);
+  unit.max_anisotropy = options_.max_anisotropy;
   unit.texture = map.picture.get();
   unit.bump_form = map.form;
   surface_.texcoord_set[index] = 0;
@@ -159,6 +160,7 @@ void SurfaceBuilder::add_texture(const TextureUse& use, TexelUse texels, raster:
   raster::TextureUnit& unit = next_unit();
   unit.min_filter = options_.min_filter.value_or(source.min_filter);
   unit.mag_filter = options_.mag_filter.value_or(source.mag_filter);
+  unit.max_anisotropy = options_.max_anisotropy;
   unit.env_mode = mode;
   texels.mipmaps = uses_mipmaps(unit.min_filter);
   unit.texture = &textures_.get(use.texture, texels);

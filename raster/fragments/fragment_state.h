@@ -146,6 +146,8 @@ enum class BumpForm : std::uint8_t {
   blinn,      ///< N' = N + D: heights and lengths of the object are of one unit.
 };
 
+inline constexpr int kMaxAnisotropy = 16;
+
 /// One texture unit; off when it has neither a texture nor a procedure.
 struct TextureUnit {
   TextureRole role = TextureRole::environment;
@@ -157,12 +159,21 @@ struct TextureUnit {
   MinFilter min_filter = MinFilter::nearest_mipmap_linear;
   MagFilter mag_filter = MagFilter::linear;
   float lod_bias = 0.0f;
+  /// GL_TEXTURE_MAX_ANISOTROPY_EXT, in 1 … kMaxAnisotropy: the most samples along the longer side of the
+  /// footprint. The filters of the footprint itself need none and leave it alone.
+  int max_anisotropy = 1;
   TextureEnvMode env_mode = TextureEnvMode::modulate;
   CombineState combine;
   std::array<float, 4> env_color{0, 0, 0, 0};
   float strength = 1.0f;  ///< Of a map: scale of x and y of normals, height of white, share of the occlusion.
   BumpForm bump_form = BumpForm::invariant;
 };
+
+/// Whether the unit's filters follow the shape of the pixel's footprint, not only its size.
+inline bool has_wide_filter(const TextureUnit& unit) {
+  return unit.max_anisotropy > 1 || unit.min_filter == MinFilter::footprint ||
+         unit.min_filter == MinFilter::corners;
+}
 
 /// What a unit's texture coordinates are made of.
 enum class TexcoordKind : std::uint8_t {

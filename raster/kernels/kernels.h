@@ -48,6 +48,10 @@ void sample_unit(TileWorkspace& workspace, int unit);
 /// Multiplies the batch's secondary colours by the texels.
 void multiply_secondary(FragmentBatch& batch, const float (*texel)[kBatchStride]);
 
+/// The same for a filter that follows the shape of the pixels' footprints (has_wide_filter).
+std::uint64_t sample_wide(const LodGroups& groups, int group_count, const FragmentBatch& batch, int unit,
+                          float (*texel)[kBatchStride]);
+
 /// Samples `unit`'s texture and multiplies the batch's colours by the texels: TextureEnvMode::modulate.
 /// @return texels read.
 std::uint64_t modulate_by_texture(FragmentBatch& batch, int unit, const SampleLevels& levels);

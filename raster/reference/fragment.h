@@ -3,6 +3,7 @@
 
 #include "raster/fragments/fragment_state.h"
 #include "raster/reference/arithmetic.h"
+#include "raster/reference/level_of_detail.h"
 
 namespace barrido::raster::reference {
 
@@ -12,6 +13,8 @@ struct Fragment {
   float depth = 0.0f;
   float lod[kMaxTextureUnits] = {};        ///< λ before the unit's bias (OpenGL 1.3, section 3.8.8).
   float extent[kMaxTextureUnits][3] = {};  ///< Of procedures; see ProcedurePoints.
+  /// Of units whose filter follows the footprint's shape.
+  CoordinateSlopes slopes[kMaxTextureUnits] = {};
   float varying[kMaxVaryings] = {};  ///< Interpolated and perspective-corrected; then what stages compute.
   Color color{};                     ///< The primitive's where it is flat; then what the stages make of it.
   Color specular{};                  ///< Secondary colour; no alpha.

@@ -54,7 +54,12 @@ void interpolate_at(const SpanQuantities& along, int x, Fragment& fragment) {
   }
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     const bool is_picture = has_picture(*fragment.state, unit);
+    const TextureUnit& texture = fragment.state->texture_units[static_cast<std::size_t>(unit)];
     fragment.lod[unit] = is_picture ? level_of_detail(*fragment.state, unit, along, x) : 0.0f;
+    if (is_picture && has_wide_filter(texture)) {
+      fragment.slopes[unit] = coordinate_slopes(*fragment.state, unit, along, x);
+      fragment.lod[unit] = level_of_detail(fragment.slopes[unit], *texture.texture);
+    }
     if (is_active(*fragment.state, unit) && !is_picture) {
       pixel_extent(*fragment.state, unit, along, x, fragment.extent[unit]);
     }

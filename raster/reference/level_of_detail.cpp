@@ -17,11 +17,6 @@ struct Sloped {
   float dy;
 };
 
-/// Slopes of the texture coordinates (u, v), per pixel.
-struct CoordinateSlopes {
-  float ux, uy, vx, vy;
-};
-
 Sloped sloped_at(const SpanQuantity& quantity, float distance) {
   return {quantity.at(distance), quantity.ddx, quantity.ddy};
 }
@@ -49,8 +44,8 @@ CoordinateSlopes cube_slopes(const Sloped (&direction)[3]) {
   return {slopes.ux * 0.5f, slopes.uy * 0.5f, slopes.vx * 0.5f, slopes.vy * 0.5f};
 }
 
-CoordinateSlopes coordinate_slopes(const FragmentState& state, int unit, const SpanQuantities& along,
-                                   float distance) {
+CoordinateSlopes slopes_at(const FragmentState& state, int unit, const SpanQuantities& along,
+                           float distance) {
   const int texcoord = state.varyings.at(Meaning::texcoord, unit);
   const SpanQuantity* first = &along.quantities[static_cast<std::size_t>(kRecordVaryings + texcoord)];
   const Sloped s = sloped_at(first[0], distance);
@@ -152,13 +147,24 @@ void pixel_extent(const FragmentState& state, int unit, const SpanQuantities& al
   }
 }
 
-float level_of_detail(const FragmentState& state, int unit, const SpanQuantities& along, int x) {
-  const float distance = group_distance(along, x);
-  if (state.texture_units[static_cast<std::size_t>(unit)].mapping.surface != MappingSurface::none) {
-    return mapped_level_of_detail(state, unit, along, distance);
+CoordinateSlopes coordinate_slopes(const FragmentState& state, int unit, const SpanQuantities& along, int x) {
+  if (state.texture_units[static_cast<std::size_t>(unit)].mapping.surface == MappingSurface::none) {
+    return slopes_at(state, unit, along, group_distance(along, x));
   }
-  const CoordinateSlopes slopes = coordinate_slopes(state, unit, along, distance);
-  const Texture& texture = *state.texture_units[static_cast<std::size_t>(unit)].texture;
+  float extent[3];
+  pixel_extent(state, unit, along, x, extent);
+  return {extent[0], 0.0f, 0.0f, extent[1]};
+}
+
+float level_of_detail(const FragmentState& state, int unit, const SpanQuantities& along, int x) {
+  const TextureUnit& texture = state.texture_units[static_cast<std::size_t>(unit)];
+  if (texture.mapping.surface != MappingSurface::none) {
+    return mapped_level_of_detail(state, unit, along, group_distance(along, x));
+  }
+  return level_of_detail(coordinate_slopes(state, unit, along, x), *texture.texture);
+}
+
+float level_of_detail(const CoordinateSlopes& slopes, const Texture& texture) {
   const auto width = static_cast<float>(texture.width());
   const auto height = static_cast<float>(texture.height());
   const float ux = slopes.ux * width;

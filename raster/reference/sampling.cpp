@@ -9,37 +9,12 @@
 namespace barrido::raster::reference {
 namespace {
 
-/// Filtered channels in 16 bits: 65280 is 1 for rgba8 texels, 65535 for rgba16.
-using Filtered = std::array<std::uint32_t, 4>;
-
-/// A place on one face of a texture, before wrapping.
-struct Place {
-  int face = 0;
-  float u = 0.0f;
-  float v = 0.0f;
-};
-
-float sane_coordinate(float value) { return std::fabs(value) < 4194304.0f ? value : 0.0f; }
-
 Place cube_place(const float (&direction)[3]) {
   const CubeFace face = select_cube_face(direction);
   const float major = face.major.of(direction);
   if (!(major > 0.0f)) return {face.face, 0.5f, 0.5f};
   const float w = 1.0f / major;
   return {face.face, (face.sc.of(direction) * w + 1.0f) * 0.5f, (face.tc.of(direction) * w + 1.0f) * 0.5f};
-}
-
-Place place_of(TexcoordKind kind, const float (&coordinates)[3]) {
-  switch (kind) {
-    case TexcoordKind::direct:
-      return cube_place(coordinates);
-    case TexcoordKind::projective:
-      return {0, sane_coordinate(coordinates[0] / coordinates[2]),
-              sane_coordinate(coordinates[1] / coordinates[2])};
-    case TexcoordKind::plain:
-      break;
-  }
-  return {0, sane_coordinate(coordinates[0]), sane_coordinate(coordinates[1])};
 }
 
 float wrapped(float u, Wrap wrap) {
@@ -57,21 +32,6 @@ float wrapped(float u, Wrap wrap) {
       break;
   }
   return u;
-}
-
-/// The texel's channels as they are stored; (i, j) may lie in the apron.
-Filtered fetch(const Texture& texture, int level, int face, int i, int j) {
-  const MipLevel& where = texture.level(level, face);
-  const std::size_t texel = static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(where.pitch_texels) +
-                            static_cast<std::size_t>(i + 1);
-  const std::uint8_t* base = texture.data() + where.offset_bytes;
-  Filtered channels{};
-  for (std::size_t c = 0; c < 4; ++c) {
-    channels[c] = texture.format() == TexelFormat::rgba8
-                      ? base[texel * 4 + c]
-                      : reinterpret_cast<const std::uint16_t*>(base)[texel * 4 + c];
-  }
-  return channels;
 }
 
 int nearest_index(float u, int size, Wrap wrap) {
@@ -164,11 +124,6 @@ Filtered sample_linear(const Texture& texture, int level, const Place& place, Wr
   return mix(near_row, far_row, down.fraction);
 }
 
-/// What a 16-bit channel of the filters counts.
-float channel_scale(const Texture& texture) {
-  return texture.format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
-}
-
 Color color_of(const Texture& texture, const Filtered& filtered) {
   const float scale = channel_scale(texture);
   Color color{};
@@ -185,7 +140,7 @@ Filtered sample_level(const Texture& texture, int level, const Place& place, boo
   LevelTrace* remembered = nullptr;
   if (trace != nullptr) {
     const MipLevel& size = texture.level(level, place.face);
-    remembered = &trace->levels.emplace_back(LevelTrace{level, size.width, size.height, {}, {}});
+    remembered = &trace->levels.emplace_back(LevelTrace{0, level, size.width, size.height, {}, {}});
   }
   const Filtered filtered = linear ? sample_linear(texture, level, place, wrap_s, wrap_t, remembered)
                                    : sample_nearest(texture, level, place, wrap_s, wrap_t, remembered);
@@ -207,6 +162,47 @@ float magnification_limit(const TextureUnit& unit) {
 
 }  // namespace
 
+float sane_coordinate(float value) { return std::fabs(value) < 4194304.0f ? value : 0.0f; }
+
+Place place_of(TexcoordKind kind, const float (&coordinates)[3]) {
+  switch (kind) {
+    case TexcoordKind::direct:
+      return cube_place(coordinates);
+    case TexcoordKind::projective:
+      return {0, sane_coordinate(coordinates[0] / coordinates[2]),
+              sane_coordinate(coordinates[1] / coordinates[2])};
+    case TexcoordKind::plain:
+      break;
+  }
+  return {0, sane_coordinate(coordinates[0]), sane_coordinate(coordinates[1])};
+}
+
+Filtered fetch(const Texture& texture, int level, int face, int i, int j) {
+  const MipLevel& where = texture.level(level, face);
+  const std::size_t texel = static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(where.pitch_texels) +
+                            static_cast<std::size_t>(i + 1);
+  const std::uint8_t* base = texture.data() + where.offset_bytes;
+  Filtered channels{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    channels[c] = texture.format() == TexelFormat::rgba8
+                      ? base[texel * 4 + c]
+                      : reinterpret_cast<const std::uint16_t*>(base)[texel * 4 + c];
+  }
+  return channels;
+}
+
+float channel_scale(const Texture& texture) {
+  return texture.format() == TexelFormat::rgba8 ? 1.0f / 65280.0f : 1.0f / 65535.0f;
+}
+
+Filtered sample_at(const TextureUnit& unit, const LevelChoice& choice, const Place& place,
+                   SampleTrace* trace) {
+  const Filtered filtered = sample_level(*unit.texture, choice.first, place, choice.linear, trace);
+  if (!choice.two_levels) return filtered;
+  return mix(filtered, sample_level(*unit.texture, choice.second, place, choice.linear, trace),
+             choice.fraction);
+}
+
 LevelChoice choose_levels(const TextureUnit& unit, float lod) {
   const float biased = lod + unit.lod_bias;
   const int last = unit.texture->level_count() - 1;
@@ -218,6 +214,8 @@ LevelChoice choose_levels(const TextureUnit& unit, float lod) {
   switch (unit.min_filter) {
     case MinFilter::nearest:
     case MinFilter::linear:
+    case MinFilter::footprint:
+    case MinFilter::corners:
       break;
     case MinFilter::nearest_mipmap_nearest:
     case MinFilter::linear_mipmap_nearest:
@@ -243,12 +241,7 @@ Color sample_texture(const TextureUnit& unit, TexcoordKind kind, const float (&c
                      SampleTrace* trace) {
   const Place place = place_of(kind, coordinates);
   const LevelChoice choice = choose_levels(unit, lod);
-  Filtered filtered = sample_level(*unit.texture, choice.first, place, choice.linear, trace);
-  if (choice.two_levels) {
-    filtered = mix(filtered, sample_level(*unit.texture, choice.second, place, choice.linear, trace),
-                   choice.fraction);
-  }
-  const Color color = color_of(*unit.texture, filtered);
+  const Color color = color_of(*unit.texture, sample_at(unit, choice, place, trace));
   if (trace != nullptr) {
     trace->face = place.face;
     trace->u = place.u;

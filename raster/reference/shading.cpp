@@ -8,6 +8,7 @@
 #include "raster/reference/mapping.h"
 #include "raster/reference/sampling.h"
 #include "raster/reference/texture_environment.h"
+#include "raster/reference/wide_filters.h"
 
 namespace barrido::raster::reference {
 namespace {
@@ -68,6 +69,11 @@ Color unit_texel(const Fragment& fragment, int unit, UnitTrace* trace, const std
   if (state.mapping.surface != MappingSurface::none) map_point(fragment, state.mapping, coordinates, trace);
   if (state.procedure == nullptr) {
     if (changes_tiles(*fragment.state, unit)) change_tile_of(state, coordinates, trace);
+    if (has_wide_filter(state)) {
+      return sample_wide(state, kind, coordinates, fragment.lod[unit], fragment.slopes[unit],
+                         trace != nullptr ? &trace->sample : nullptr)
+          .color;
+    }
     return sample_texture(state, kind, coordinates, fragment.lod[unit],
                           trace != nullptr ? &trace->sample : nullptr);
   }

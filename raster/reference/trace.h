@@ -27,11 +27,19 @@ struct TexelTrace {
 
 /// What one mip level gave.
 struct LevelTrace {
+  int probe = 0;  ///< Which of the samples along the footprint, or at its corners.
   int level = 0;
   int width = 0;
   int height = 0;
-  std::vector<TexelTrace> texels;  ///< One (nearest) or four (linear).
+  std::vector<TexelTrace> texels;  ///< One (nearest), four (linear), or all under the footprint.
   Color color{};                   ///< Filtered, in [0, 1].
+};
+
+/// The shape of the pixel on the texture, for filters that follow it.
+struct FootprintTrace {
+  float along_x[2] = {0, 0};  ///< In texels of level 0, from a pixel to its right neighbour,
+  float along_y[2] = {0, 0};  ///< and to the one above.
+  int probes = 0;             ///< Samples whose mean is taken; 0: all texels under the footprint.
 };
 
 struct SampleTrace {
@@ -40,8 +48,9 @@ struct SampleTrace {
   float v = 0.0f;
   float lod = 0.0f;  ///< λ with the unit's bias.
   bool magnified = false;
-  std::vector<LevelTrace> levels;  ///< One or two.
-  float far_weight = 0.0f;         ///< Share of the second level, in steps of 1/256.
+  std::vector<LevelTrace> levels;  ///< One or two, of each probe.
+  std::optional<FootprintTrace> footprint;
+  float far_weight = 0.0f;  ///< Share of the second level, in steps of 1/256.
   Color color{};
 };
 

@@ -14,7 +14,8 @@ namespace barrido::raster {
 
 inline constexpr int kMaxTextureSide = 16384;
 
-/// GL_TEXTURE_MIN_FILTER (OpenGL 1.3, section 3.8.8).
+/// GL_TEXTURE_MIN_FILTER (OpenGL 1.3, section 3.8.8), and two filters of the pixel's footprint: the
+/// parallelogram that the pixel covers of the texture.
 enum class MinFilter : std::uint8_t {
   nearest,
   linear,
@@ -22,6 +23,8 @@ enum class MinFilter : std::uint8_t {
   linear_mipmap_nearest,
   nearest_mipmap_linear,
   linear_mipmap_linear,
+  footprint,  ///< The mean of all texels under it (Catmull 1978; T18).
+  corners,    ///< The mean of the texels at its four corners (Crow 1981; T19).
 };
 
 /// GL_TEXTURE_MAG_FILTER.

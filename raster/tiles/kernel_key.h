@@ -99,7 +99,8 @@ KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface);
 
 /// Whether the unit's filters depend on the level of detail.
 inline bool needs_lod(const TextureUnit& unit) {
-  return !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
+  return has_wide_filter(unit) ||
+         !((unit.min_filter == MinFilter::nearest && unit.mag_filter == MagFilter::nearest) ||
            (unit.min_filter == MinFilter::linear && unit.mag_filter == MagFilter::linear));
 }
 

@@ -84,6 +84,7 @@ ScenePair ground_layers(const Scale& scale, const GroundOptions& options) {
     unit.texture = scene.textures[0].get();
     unit.min_filter = options.min_filter;
     unit.mag_filter = options.mag_filter;
+    unit.max_anisotropy = options.max_anisotropy;
     // The topmost ray falls 10° below the horizon: it meets the ground 5.67 heights away.
     const float height = 1.8f - 0.1f * static_cast<float>(layer);
     const float reach_x = 9.0f * height;

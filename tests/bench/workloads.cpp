@@ -26,6 +26,11 @@ GroundOptions front_to_back(GroundOptions options) {
   return options;
 }
 
+GroundOptions anisotropic(GroundOptions options) {
+  options.max_anisotropy = 8;
+  return options;
+}
+
 constexpr EllipsoidOptions kMillion{1000, 501, 0.98};
 constexpr EllipsoidOptions kBunny{265, 133, 0.874};
 constexpr EllipsoidOptions kBunnyPhong{265, 133, 0.874, pipeline::ShadeModel::phong};
@@ -63,6 +68,8 @@ const std::vector<Workload>& workloads() {
       {"W17", "69,960 triangles, normal map", kOther, [](S s) { return ellipsoid(s, kBunnyBumps); },
        Unit::triangles},
       {"W18", "W9 in marble of six octaves", kOther, [](S s) { return ellipsoid(s, kBunnyMarble); }},
+      {"W19", "8 grounds, trilinear, anisotropy 8", kOther,
+       [](S s) { return ground_layers(s, anisotropic(ground(kTrilinear))); }},
   };
   return all;
 }

@@ -31,7 +31,7 @@ struct Workload {
   Unit unit = Unit::pixels;
 };
 
-/// All workloads in the order of their numbers. There is no W11.
+/// All workloads in the order of their numbers. There is no W11, W17, W18.
 const std::vector<Workload>& workloads();
 
 // The families, one file each.
@@ -43,6 +43,7 @@ ScenePair screen_layers(const Scale& scale, int layers, Coloring coloring, bool 
 struct GroundOptions {
   raster::MinFilter min_filter = raster::MinFilter::linear;
   raster::MagFilter mag_filter = raster::MagFilter::linear;
+  int max_anisotropy = 1;
   bool blended = false;
   bool front_to_back = false;
   int layers = 8;

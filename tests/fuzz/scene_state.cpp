@@ -119,12 +119,13 @@ void any_texture_unit(Input& input, raster::TextureUnit& unit) {
   static const TexturePool pool(2024);
   RandomBits which(input.byte());
   unit.texture = input.byte() < 80 ? &pool.cube(which) : &pool.flat(which);
-  unit.min_filter = input.one_of_first<raster::MinFilter>(6);
+  unit.min_filter = input.one_of_first<raster::MinFilter>(8);
   unit.mag_filter = input.one_of_first<raster::MagFilter>(2);
   if (input.byte() < 64) unit.lod_bias = input.number();
   unit.env_mode = input.one_of_first<raster::TextureEnvMode>(6);
   if (unit.env_mode == raster::TextureEnvMode::combine) any_combine(input, unit.combine);
   if (input.flag()) unit.env_color = any_color(input);
+  if (input.byte() < 48) unit.max_anisotropy = 1 + input.byte() % raster::kMaxAnisotropy;
   if (input.byte() >= 64) return;
   unit.role = input.one_of_first<raster::TextureRole>(5);
   unit.strength = input.number();

@@ -27,6 +27,7 @@ void see_unit(Seen& seen, const FragmentState& state, std::size_t index) {
   see(seen, kind + "filters and format",
       static_cast<int>(unit.min_filter) * 4 + static_cast<int>(unit.mag_filter) * 2 +
           static_cast<int>(unit.texture->format()));
+  see(seen, "anisotropy", unit.max_anisotropy);
   if (!unit.texture->is_cube()) {
     see(seen, "wraps",
         static_cast<int>(unit.texture->options().wrap_s) * 5 +
@@ -99,8 +100,9 @@ TEST(SceneGenerator, CoversEveryState) {
                                                        {"affine", 3},
                                                        {"unit", 8},
                                                        {"kind", 3},
-                                                       {"2d filters and format", 24},
-                                                       {"cube filters and format", 24},
+                                                       {"2d filters and format", 32},
+                                                       {"cube filters and format", 32},
+                                                       {"anisotropy", 16},
                                                        {"wraps", 25},
                                                        {"environment", 6},
                                                        {"combine rgb", 8},

@@ -42,7 +42,8 @@ TexcoordKind random_unit(RandomBits& random, const TexturePool& textures, int in
   const auto kind =
       random.pick({TexcoordKind::plain, TexcoordKind::plain, TexcoordKind::projective, TexcoordKind::direct});
   unit.texture = kind == TexcoordKind::direct ? &textures.cube(random) : &textures.flat(random);
-  unit.min_filter = random.one_of_first<MinFilter>(6);
+  unit.min_filter = random.one_of_first<MinFilter>(8);
+  unit.max_anisotropy = random.chance(25) ? random.between(2, kMaxAnisotropy) : 1;
   unit.mag_filter = random.one_of_first<MagFilter>(2);
   unit.lod_bias = random.chance(40) ? random.number(-3.0f, 3.0f) : 0.0f;
   unit.env_mode = random.one_of_first<TextureEnvMode>(6);
@@ -140,9 +141,10 @@ std::string describe_unit(const FragmentState& state, std::size_t index) {
          " procedure=" + std::string(unit.procedure != nullptr ? unit.procedure->name : "") +
          " pattern=" + number_of(unit.pattern.kind) + " mapping=" + number_of(unit.mapping.surface) + "," +
          number_of(unit.mapping.ray) + " tiles=" + number_of(unit.tiles) +
-         " bias=" + std::to_string(unit.lod_bias) + " env=" + number_of(unit.env_mode) +
-         " role=" + number_of(unit.role) + " combine=" + number_of(unit.combine.rgb.function) + "," +
-         number_of(unit.combine.alpha.function) + "}";
+         " anisotropy=" + std::to_string(unit.max_anisotropy) + " bias=" + std::to_string(unit.lod_bias) +
+         " env=" + number_of(unit.env_mode) + " role=" + number_of(unit.role) +
+         " combine=" + number_of(unit.combine.rgb.function) + "," + number_of(unit.combine.alpha.function) +
+         "}";
 }
 
 /// Light, and what may come before it: a normal that is bent, or multiplied by the texels of a unit which is

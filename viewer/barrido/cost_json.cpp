@@ -42,6 +42,8 @@ Json frame_json(const FrameCost& frame) {
             {"write_ms", frame.write_ms},
             {"counts", counts_json(course_counts(frame.counts))}};
   json["stages"] = {{"draws", frame.counts.draws},
+                    {"displaced_vertices", frame.counts.displaced_vertices},
+                    {"displaced_triangles", frame.counts.displaced_triangles},
                     {"vertices", frame.counts.vertices},
                     {"primitives_in", frame.counts.primitives_in},
                     {"primitives_culled", frame.counts.primitives_culled},

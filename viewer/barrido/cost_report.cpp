@@ -32,6 +32,9 @@ ModeSum sum_of_mode(const CostReport& report, pipeline::ShadeModel mode) {
     sum.raw.raster.mapped += frame.counts.raster.mapped;
     sum.raw.raster.patterns += frame.counts.raster.patterns;
     sum.raw.raster.noise += frame.counts.raster.noise;
+    sum.raw.displaced_vertices += frame.counts.displaced_vertices;
+    sum.raw.displaced_triangles += frame.counts.displaced_triangles;
+    sum.raw.raster.texel_fetches += frame.counts.raster.texel_fetches;
     sum.draw_ms += frame.draw_ms;
     sum.write_ms += frame.write_ms;
     for (std::size_t stage = 0; stage < sum.stage_ms.size(); ++stage)
@@ -88,6 +91,14 @@ std::string mode_table(pipeline::ShadeModel mode, const ModeSum& sum) {
   text += "  " + per_frame(sum.raw.vertices) + " vertices, " + per_frame(sum.raw.primitives_in) +
           " polygons of which " + per_frame(sum.counts.polygons) + " drawn, " +
           per_frame(sum.counts.scanlines) + " scanlines a frame\n";
+  if (sum.raw.raster.texel_fetches > 0) {
+    text += "  " + per_frame(sum.raw.raster.texel_fetches) + " texels, " +
+            ratio(sum.raw.raster.texel_fetches, sum.counts.fragments, 2) + " a fragment\n";
+  }
+  if (sum.raw.displaced_triangles > 0) {
+    text += "  displacement made " + per_frame(sum.raw.displaced_vertices) + " vertices and " +
+            per_frame(sum.raw.displaced_triangles) + " triangles\n";
+  }
   return text + stage_line(sum);
 }
 

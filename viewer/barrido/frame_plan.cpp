@@ -225,6 +225,7 @@ const unsigned kDrawnImages = scene::kBaseColorImage | scene::kMetallicRoughness
 
 scene::RenderSettings resolved_settings(const RenderOptions& options) {
   scene::RenderSettings settings = options.settings;
+  settings.max_memory = options.limits.max_memory;
   if (options.background_shown) {
     const auto& [red, green, blue, alpha] = *options.background_shown;
     settings.background_color = glm::vec4(red, green, blue, alpha);
@@ -258,6 +259,17 @@ std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& opt
     faces[face] = {image.size, image.size, image.faces_rgba[face]};
   }
   return std::make_shared<const raster::Texture>(raster::Texture::make_cube(faces, texture_options));
+}
+
+std::shared_ptr<const raster::Texture> load_heights(const scene::UserDisplacement& displacement,
+                                                    scene::Budget* budget) {
+  if (displacement.source.empty() || displacement.source == "constant") return nullptr;
+  scene::ImageLimits limits;
+  limits.budget = budget;
+  limits.bytes_a_pixel = 10;  // With its mip levels
+  const scene::Image image = scene::read_image(displacement.source, limits);
+  return std::make_shared<const raster::Texture>(
+      raster::Texture::make_2d({image.width, image.height, image.rgba}, {}));
 }
 
 }  // namespace barrido::cli

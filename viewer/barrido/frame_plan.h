@@ -66,6 +66,11 @@ std::shared_ptr<const scene::Image> load_texture(const RenderOptions& options,
 std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& options,
                                                         scene::Budget* budget = nullptr);
 
+/// The heights that --displacement names, a picture as it is stored; null: none are asked for, or constant
+/// ones. @throws scene::InputError.
+std::shared_ptr<const raster::Texture> load_heights(const scene::UserDisplacement& displacement,
+                                                    scene::Budget* budget = nullptr);
+
 /// File name without folder and extension.
 std::string model_name(const std::string& path);
 

@@ -28,6 +28,9 @@ scene::RenderSettings settings_of_frame(const RenderOptions& options, const scen
   if (!options.texture_path.empty()) {
     settings.texture.picture = load_texture(options, limits.open(options.texture_path, true).get());
   }
+  if (scene::UserDisplacement& displacement = settings.displacement; !displacement.source.empty()) {
+    displacement.picture = load_heights(displacement, limits.open(displacement.source, true).get());
+  }
   const int root = scene::resolve_scene_index(scene, settings.scene_index);
   const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
   const FileFacts facts{options.files[0], static_cast<int>(cameras.size()),

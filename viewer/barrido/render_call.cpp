@@ -11,6 +11,7 @@
 
 #include "pipeline/gltf/import_gltf.h"
 #include "pipeline/pictures/image_io.h"
+#include "pipeline/scene/displacer.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "raster/base/simd_target.h"
 #include "viewer/barrido/commands.h"
@@ -52,7 +53,7 @@ void make_folders(const std::vector<PlannedFrame>& frames) {
   }
 }
 
-/// A picture never takes the place of what it is made from: a model, its textures, the surroundings.
+/// A picture never takes the place of what it is made from: a model, its textures, the surroundings, heights.
 void refuse_inputs(const std::string& output, const RenderOptions& options, const std::string& path,
                    const scene::Scene& scene) {
   if (output.empty() || output == "-") return;
@@ -63,7 +64,8 @@ void refuse_inputs(const std::string& output, const RenderOptions& options, cons
   };
   for (const std::string& file : options.files) refuse(file);
   for (const std::string& map : map_paths(options.settings)) refuse(map);
-  for (const std::string& picture : {options.environment_path, options.texture_path}) {
+  for (const std::string& picture :
+       {options.environment_path, options.texture_path, options.settings.displacement.source}) {
     if (!picture.empty()) refuse(picture);
   }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -81,6 +83,7 @@ int RenderCall::run() {
   resolve_settings();
   load_texture();
   load_environment();
+  load_heights();
   bool all_fine = true;
   for (const std::string& path : options_.files) all_fine = render_file(path) && all_fine;
   if (options_.sheet) write_sheet();
@@ -110,6 +113,12 @@ void RenderCall::load_environment() {
   settings_.environment =
       cli::load_environment(options_, limits_.open(options_.environment_path, true).get());
   report_.environment_ms = watch.milliseconds();
+}
+
+void RenderCall::load_heights() {
+  scene::UserDisplacement& displacement = settings_.displacement;
+  if (displacement.source.empty() || displacement.source == "constant") return;
+  displacement.picture = cli::load_heights(displacement, limits_.open(displacement.source, true).get());
 }
 
 /// @return false when the file cannot be drawn and that has been told.
@@ -156,7 +165,7 @@ std::vector<PlannedFrame> RenderCall::plan(const scene::Scene& scene, const std:
 void RenderCall::render_frames(const scene::Scene& scene, const std::string& path,
                                const std::vector<PlannedFrame>& frames) {
   make_folders(frames);
-  expect_frames(frames.size());
+  expect_frames(frames.size(), scene);
   scene::SceneRenderer renderer(scene);
   std::set<std::string> warned;
   FrameStages stages;
@@ -175,15 +184,17 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
   limits_.rest();
 }
 
-/// What frames take while they are drawn, encoded, and kept for a sheet.
-void RenderCall::expect_frames(std::size_t count) {
+/// What frames take while they are drawn, encoded, and kept for a sheet; and what displacement may take.
+void RenderCall::expect_frames(std::size_t count, const scene::Scene& scene) {
   constexpr std::uint64_t kDrawnBytes = 64, kKeptBytes = 24;
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(settings_.width) * static_cast<std::uint64_t>(settings_.height);
   const std::uint64_t in_flight = frames_in_flight(frame_bytes(settings_), thread_count());
   const std::uint64_t waiting = std::min<std::uint64_t>(in_flight, count) * frame_bytes(settings_);
   const std::uint64_t kept = options_.sheet ? (report_.frames.size() + count) * pixels * kKeptBytes : 0;
-  limits_.expect_frames(pixels * kDrawnBytes + waiting + kept);
+  const bool displaces = scene::farthest_displacement(scene, settings_.displacement) > 0.0f;
+  const std::uint64_t displaced = displaces ? scene::Budget().allowed_memory() : 0;
+  limits_.expect_frames(pixels * kDrawnBytes + waiting + kept + displaced);
 }
 
 void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) {

@@ -30,11 +30,12 @@ class RenderCall {
   void resolve_settings();
   void load_texture();
   void load_environment();
+  void load_heights();
   bool render_file(const std::string& path);
   std::vector<PlannedFrame> plan(const scene::Scene& scene, const std::string& path) const;
   void render_frames(const scene::Scene& scene, const std::string& path,
                      const std::vector<PlannedFrame>& frames);
-  void expect_frames(std::size_t count);
+  void expect_frames(std::size_t count, const scene::Scene& scene);
   void draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame);
   void encode(FrameInFlight& frame) const;
   void deliver(FrameInFlight& frame);

@@ -16,6 +16,7 @@ using Settings = scene::RenderSettings;
 using Camera = scene::CameraChoice;
 using scene::MapOverride;
 using scene::Overlays;
+using scene::UserDisplacement;
 
 constexpr auto kPicture = OptionScope::picture;
 constexpr auto kDrawing = OptionScope::drawing;
@@ -153,6 +154,22 @@ constexpr RenderOption kShadingOptions[] = {
            "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
            "emission=R,G,B shininess=N. Colours are linear.",
            parsed<&Settings::material, parse_material, material_text>(), by_hand("Material")),
+    option("--displacement", "PATH", kPicture,
+           "Move all surfaces along their normals, before anything else is done with them, by the heights of "
+           "a picture (its red), or constant. Default: as the materials say.",
+           parsed<&UserDisplacement::source, parse_displacement, copied>(),
+           no_editor("the call names its picture")),
+    option("--displacement-scale", "S", kPicture,
+           "How far a height of 1 moves, in the model's units; below 0 inwards. Default: the materials', or "
+           "0.1.",
+           number<&UserDisplacement::scale>(-1e6, 1e6), slider("displacement", {-1, 1}, "%.3f", 0.1f)),
+    option("--displacement-bias", "B", kPicture,
+           "How far a height of 0 moves. Default: the materials', or 0.",
+           number<&UserDisplacement::bias>(-1e6, 1e6), slider("from", {-1, 1}, "%.3f", 0.0f)),
+    option("--displacement-pieces", "N", kPicture,
+           "Pieces that each edge is cut into, 1..256. Default: the materials', or as long as a texel.",
+           number<&UserDisplacement::pieces>(1, scene::kMaxDisplacedPieces),
+           slider("pieces", {1, 64}, "%.0f", 8.0f)),
     option("--fog", "SPEC", kPicture,
            "linear:START,END[:R,G,B], exp:DENSITY[:R,G,B] or exp2:DENSITY[:R,G,B], by distance from the eye; "
            "the colour is given as it is to be seen. Default: the colour of --background, or dark grey.",
@@ -184,8 +201,9 @@ constexpr RenderOption kTextureOptions[] = {
            "perspective (default), or affine: linear on the screen, which shows the error.",
            choice<&Settings::texture_interpolation>(), widget("interpolation")),
     option("--min-filter", "NAME", kPicture,
-           "nearest, linear, nearest-mipmap-nearest, linear-mipmap-nearest, nearest-mipmap-linear or "
-           "linear-mipmap-linear. Default: the file's.",
+           "nearest, linear, nearest-mipmap-nearest, linear-mipmap-nearest, nearest-mipmap-linear, "
+           "linear-mipmap-linear, footprint (the mean of all texels under a pixel, Catmull's) or corners (of "
+           "those under its corners, Crow's). Default: the file's.",
            choice<&Settings::min_filter>(), list("smaller", "the file's")),
     option("--mag-filter", "NAME", kPicture, "nearest or linear. Default: the file's.",
            choice<&Settings::mag_filter>(), list("larger", "the file's")),
@@ -204,6 +222,11 @@ constexpr RenderOption kTextureOptions[] = {
     option("--specularity-map", "PATH[:repeat=U,V]", kPicture,
            "Multiply the highlights of all surfaces by a picture.",
            parsed<&MapOverride::specularity, parse_map, map_text>(), kMapPath),
+    option("--anisotropy", "N", kPicture,
+           "Where a pixel is longer than wide on a texture, up to N samples along it, 1..16, of smaller mip "
+           "levels: less blur in the distance. Default 1.",
+           number<&Settings::max_anisotropy>(1, raster::kMaxAnisotropy),
+           slider("anisotropy", {1, raster::kMaxAnisotropy}, "%.0f")),
     option("--environment", "PATH", kPicture,
            "Surroundings for reflections: a folder of six faces (px nx py ny pz nz), a cross (4:3 or 3:4) or "
            "a latitude-longitude picture (2:1), of low or high range; dynamic draws them from each object's "

@@ -89,6 +89,11 @@ Texts mapping_texts(const RenderOptions& options) {
   return mapping ? Texts{mapping_text(*mapping)} : Texts{};
 }
 
+std::string parse_displacement(std::string_view text) {
+  if (text.empty()) throw ValueError("expected a picture or constant");
+  return std::string(text);
+}
+
 void read_light(RenderOptions& options, std::string_view text) {
   options.settings.lights.push_back(parse_light(text));
 }

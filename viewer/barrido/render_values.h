@@ -24,6 +24,7 @@ void read_texture(RenderOptions& options, std::string_view text);
 Texts texture_texts(const RenderOptions& options);
 void read_mapping(RenderOptions& options, std::string_view text);
 Texts mapping_texts(const RenderOptions& options);
+std::string parse_displacement(std::string_view text);
 void read_light(RenderOptions& options, std::string_view text);
 Texts light_texts(const RenderOptions& options);
 void read_lights_off(RenderOptions& options, std::string_view text);

@@ -60,6 +60,12 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
        "procedures and mappings without Phong shading"},
       {is_textured(state) && state.texture_interpolation == pipeline::TextureInterpolation::affine,
        "affine textures"},
+      {has_unit(state,
+                [](const raster::TextureUnit& unit) {
+                  return unit.texture != nullptr && (unit.min_filter == raster::MinFilter::footprint ||
+                                                     unit.min_filter == raster::MinFilter::corners);
+                }),
+       "filters of a pixel's footprint"},
   };
 }
 

@@ -13,7 +13,9 @@ constexpr GLint kMinFilter[] = {GL_NEAREST,
                                 GL_NEAREST_MIPMAP_NEAREST,
                                 GL_LINEAR_MIPMAP_NEAREST,
                                 GL_NEAREST_MIPMAP_LINEAR,
-                                GL_LINEAR_MIPMAP_LINEAR};
+                                GL_LINEAR_MIPMAP_LINEAR,
+                                GL_LINEAR_MIPMAP_LINEAR,  // in place of footprints; see cannot.cpp
+                                GL_NEAREST};
 constexpr GLint kEnvMode[] = {GL_MODULATE, GL_REPLACE, GL_ADD, GL_DECAL, GL_BLEND, GL_COMBINE};
 constexpr GLint kFunction[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
                                GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
@@ -143,6 +145,7 @@ void set_texture_units(const pipeline::State& state, const Textures& textures) {
     gl().TexParameteri(target, GL_TEXTURE_MIN_FILTER, constant(kMinFilter, unit.min_filter));
     gl().TexParameteri(target, GL_TEXTURE_MAG_FILTER,
                        unit.mag_filter == raster::MagFilter::linear ? GL_LINEAR : GL_NEAREST);
+    gl().TexParameteri(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, unit.max_anisotropy);
     if (!is_map) gl().Enable(target);
     if (unit.texture->is_cube()) set_seams(*unit.texture);
     set_environment(unit);

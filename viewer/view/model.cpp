@@ -88,6 +88,14 @@ std::shared_ptr<const scene::Image> Model::texture(const cli::RenderOptions& opt
   return slot;
 }
 
+std::shared_ptr<const raster::Texture> Model::heights(const scene::UserDisplacement& displacement) {
+  std::shared_ptr<const raster::Texture>& slot = heights_[displacement.source];
+  if (slot) return slot;
+  scene::Budget budget(limits_);
+  slot = cli::load_heights(displacement, &budget);
+  return slot;
+}
+
 int Model::camera_count(const cli::RenderOptions& options) const {
   const int root = scene::resolve_scene_index(*scene_, options.settings.scene_index);
   return static_cast<int>(scene::camera_nodes(*scene_, scene::nodes_of_scene(*scene_, root)).size());
@@ -101,6 +109,8 @@ scene::RenderSettings Model::settings_for(const cli::RenderOptions& wanted) {
   }
   add_maps(settings);
   if (!options.texture_path.empty()) settings.texture.picture = texture(options);
+  settings.max_memory = limits_.max_memory;
+  settings.displacement.picture = heights(settings.displacement);
   const cli::FileFacts facts{path_, camera_count(options), static_cast<int>(scene_->animations.size())};
   return cli::settings_of(settings, cli::plan_frames(options, facts).at(0));
 }

@@ -78,6 +78,7 @@ class Model {
  private:
   std::shared_ptr<const raster::Texture> environment(const cli::RenderOptions& options);
   std::shared_ptr<const scene::Image> texture(const cli::RenderOptions& options);
+  std::shared_ptr<const raster::Texture> heights(const scene::UserDisplacement& displacement);
 
   std::string path_;
   scene::BudgetLimits limits_;
@@ -90,6 +91,7 @@ class Model {
       environments_;
   /// Maps with their pictures, by the pictures' paths and what colours are.
   std::map<std::string, scene::MapOverride> maps_;
+  std::map<std::string, std::shared_ptr<const raster::Texture>> heights_;  ///< By path; kept likewise.
 };
 
 }  // namespace barrido::view

@@ -110,7 +110,12 @@ void RandomOptions::set_looks(scene::RenderSettings& s) {
   s.lighting = static_cast<pipeline::SpecularModel>(whole(2));
   s.color_interpolation = static_cast<pipeline::ColorInterpolation>(whole(2));
   s.texture_interpolation = static_cast<pipeline::TextureInterpolation>(whole(2));
-  if (coin()) s.min_filter = static_cast<raster::MinFilter>(whole(6));
+  if (coin()) s.min_filter = static_cast<raster::MinFilter>(whole(8));
+  if (coin()) s.max_anisotropy = 1 + whole(raster::kMaxAnisotropy);
+  if (coin()) s.displacement.source = coin() ? "constant" : "a folder/it's $here.png";
+  if (coin()) s.displacement.scale = number(10.0f);
+  if (coin()) s.displacement.bias = number(10.0f);
+  if (coin()) s.displacement.pieces = 1 + whole(scene::kMaxDisplacedPieces);
   if (coin()) s.mag_filter = static_cast<raster::MagFilter>(whole(2));
   if (coin()) s.cull = static_cast<pipeline::CullFace>(whole(3));
   if (coin()) s.crease_angle_deg = share() * 180.0f;
@@ -225,6 +230,11 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(settings.texture_interpolation);
   EXPECT_SAME(settings.min_filter);
   EXPECT_SAME(settings.mag_filter);
+  EXPECT_SAME(settings.max_anisotropy);
+  EXPECT_SAME(settings.displacement.source);
+  EXPECT_SAME(settings.displacement.scale);
+  EXPECT_SAME(settings.displacement.bias);
+  EXPECT_SAME(settings.displacement.pieces);
   EXPECT_SAME(settings.textures);
   EXPECT_SAME(settings.maps.drawn);
   EXPECT_SAME(settings.camera);
