@@ -253,6 +253,7 @@ class Displacing {
       vertex_amount_.push_back(amount_[number]);
       for (std::size_t set = 0; set < 2; ++set) blend(out_.texcoord_sets[set], 2, texcoords_[set], t, point);
       blend(out_.colors, 4, colors_, t, point);
+      blend(out_.rest, 3, rest_, t, point);
     });
     const auto per_triangle = static_cast<std::uint32_t>(grid_.points.size());
     indices_.reserve(triangle_count() * grid_.triangles.size() * 3);
@@ -318,6 +319,9 @@ class Displacing {
       out_.texcoords[set] = std::move(texcoords_[set]);
       out_.texcoord_sets[set] = {out_.texcoords[set].data(), 2, 2};
     }
+    // Solid textures stick to the surface as it was.
+    out_.rest_positions = std::move(rest_);
+    out_.rest = {out_.rest_positions.data(), 3, 3};
     out_.center = middle_of(out_.positions);
   }
 
@@ -342,7 +346,7 @@ class Displacing {
   std::vector<MovingPoint> points_;
   std::vector<float> moved_, amount_;  ///< Of each of them
   std::vector<std::uint32_t> vertex_normal_;
-  std::vector<float> positions_, new_normals_, colors_, vertex_amount_;
+  std::vector<float> positions_, new_normals_, colors_, rest_, vertex_amount_;
   std::array<std::vector<float>, 2> texcoords_;
   std::vector<std::uint32_t> indices_;
 };
@@ -377,8 +381,9 @@ std::uint64_t displacement_bytes(const PreparedGeometry& geometry, int pieces) {
   const std::uint64_t vertices = (n + 1) * (n + 2) / 2;
   // Of points (there are no more than vertices): where they were and go, sums of normals.
   constexpr std::uint64_t kPointBytes = sizeof(MovingPoint) + 16 + sizeof(glm::dvec3);
-  // Vectors grow to at most twice what they hold: position, normal, amount, two sets, a colour, a number.
-  constexpr std::uint64_t kVertexBytes = 2 * (12 + 12 + 4 + 16 + 16 + 4);
+  // Vectors grow to at most twice what they hold: position, normal, amount, two sets, a colour, a place at
+  // rest, a number.
+  constexpr std::uint64_t kVertexBytes = 2 * (12 + 12 + 4 + 16 + 16 + 12 + 4);
   constexpr std::uint64_t kTriangleBytes = 12;
   const std::uint64_t triangles = triangle_count(geometry);
   if (triangles * vertices > kMostVertices) return std::numeric_limits<std::uint64_t>::max();

@@ -214,6 +214,16 @@ TEST(Displacement, KeepsCreasesAndCoordinatesAtTheirCorners) {
   }
 }
 
+TEST(Displacement, SolidTexturesKeepThePlacesBeforeIt) {
+  HeightMap heights;
+  heights.by = {0.5f, 0, 0};
+  const auto moved = displaced(box(), heights, 3);
+  heights.by = {0, 0, 0};
+  const auto flat = displaced(box(), heights, 3);
+  const std::span<const float> rest(moved->rest.data, flat->positions.size());
+  EXPECT_EQ(std::vector<float>(rest.begin(), rest.end()), flat->positions);
+}
+
 TEST(Displacement, HeightsComeFromThePicture) {
   const raster::Texture picture = bumps();
   Primitive square = testing::square();
