@@ -9,9 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/scene/subdivision.h"
+#include "pipeline/scene/texture_placement.h"
 #include "pipeline/scene/triangles.h"
 #include "pipeline/scene/weld.h"
 #include "raster/base/portable_math.h"
+#include "raster/reference/pattern.h"
 #include "raster/reference/sampling.h"
 
 namespace barrido::scene {
@@ -75,6 +77,59 @@ double mean_edge_texels(const PreparedGeometry& geometry, const HeightMap& heigh
   }
   return count == 0 ? 1.0 : sum / static_cast<double>(count);
 }
+
+/// Mean length of the triangles' edges.
+double mean_edge_length(const PreparedGeometry& geometry, const std::vector<std::uint32_t>& triangles) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < triangles.size(); ++c) {
+    const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
+    const glm::dvec3 edge = vector3(geometry.rest, triangles[next]) - vector3(geometry.rest, triangles[c]);
+    const double length = std::sqrt(glm::dot(edge, edge));
+    if (std::isfinite(length)) sum += length;
+  }
+  return triangles.empty() ? 0.0 : sum / static_cast<double>(triangles.size());
+}
+
+/// Heights of a procedure about the object at rest, averaged over the distance of the points. A cell is an
+/// eighth of the object where the choice does not say.
+class SolidHeights {
+ public:
+  SolidHeights(const PreparedGeometry& geometry, SolidTexture solid) : pattern_(solid.pattern) {
+    solid.space = SolidTexture::Space::object;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    glm::vec3 low(kInfinity), high(-kInfinity);
+    for (std::uint32_t v = 0; v < geometry.geometry.vertex_count; ++v) {
+      const glm::vec3 p(vector3(geometry.rest, v));
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    PlacedObject object;
+    object.rest = geometry.rest;
+    const glm::dvec3 size(high - low);
+    object.scene_size = static_cast<float>(std::sqrt(glm::dot(size, size)));
+    pattern_from_object_ = glm::dmat4(place_solid(solid, object).matrix);
+    const glm::dvec3 unit(pattern_from_object_[0]);
+    cells_a_unit_ = std::sqrt(glm::dot(unit, unit));
+  }
+
+  /// Points are so many of the object's units apart.
+  void set_distance(double length) {
+    for (float& extent : extent_) extent = static_cast<float>(length * cells_a_unit_);
+  }
+  double cells_a_unit() const { return cells_a_unit_; }
+
+  double at(const glm::dvec3& place) const {
+    const glm::vec3 p(pattern_from_object_ * glm::dvec4(place, 1.0));
+    const float point[3] = {p.x, p.y, p.z};
+    return raster::reference::pattern_at(pattern_, point, extent_).value;
+  }
+
+ private:
+  raster::Pattern pattern_;
+  glm::dmat4 pattern_from_object_{1.0};
+  double cells_a_unit_ = 1.0;
+  float extent_[3] = {0, 0, 0};
+};
 
 /// Heights of a picture, filtered as coarsely as the fine triangles are.
 class PictureHeights {
@@ -194,9 +249,23 @@ class Displacing {
     points_.resize(places_.count());
     const double pieces = grid_.pieces;
     std::optional<PictureHeights> picture;
+    std::optional<SolidHeights> solid;
     if (heights_.picture != nullptr) {
       picture.emplace(heights_, mean_edge_texels(out_, heights_, source_.triangles) / pieces);
+    } else if (heights_.solid) {
+      solid.emplace(out_, *heights_.solid);
+      solid->set_distance(mean_edge_length(out_, source_.triangles) / pieces);
     }
+    const auto height_at = [&](std::size_t t, const GridPoint& point) {
+      if (picture) {
+        return picture->at(blended<glm::dvec2>(point, {0, 1, 2}, pieces, [&](int k) {
+          return glm::dvec2(place_of(out_, heights_, corner(t, k)));
+        }));
+      }
+      if (!solid) return 1.0;
+      return solid->at(blended<glm::dvec3>(point, {0, 1, 2}, pieces,
+                                           [&](int k) { return vector3(out_.rest, corner(t, k)); }));
+    };
     for_each_vertex([&](std::size_t t, const GridPoint& grid_point) {
       const std::uint32_t* place = place_classes_.data() + 3 * t;
       std::array<int, 3> order{0, 1, 2};
@@ -206,11 +275,7 @@ class Displacing {
           blended<glm::dvec3>(grid_point, order, pieces, [&](int k) { return source_.place[place[k]]; });
       point.direction =
           blended<glm::dvec3>(grid_point, order, pieces, [&](int k) { return source_.direction[place[k]]; });
-      point.heights += picture
-                           ? picture->at(blended<glm::dvec2>(
-                                 grid_point, {0, 1, 2}, pieces,
-                                 [&](int k) { return glm::dvec2(place_of(out_, heights_, corner(t, k))); }))
-                           : 1.0;
+      point.heights += height_at(t, grid_point);
       ++point.count;
     });
   }
@@ -363,9 +428,13 @@ bool can_displace(const PreparedGeometry& geometry, const HeightMap& heights) {
 
 int displacement_pieces(const PreparedGeometry& geometry, const HeightMap& heights, std::uint64_t memory) {
   if (heights.by.pieces > 0) return heights.by.pieces;
-  if (heights.picture == nullptr) return 1;
+  if (heights.picture == nullptr && !heights.solid) return 1;
   const std::vector<std::uint32_t> triangles = triangles_of(geometry);
-  const double wanted = std::ceil(mean_edge_texels(geometry, heights, triangles));
+  constexpr double kPointsACell = 8.0;
+  const double wanted =
+      std::ceil(heights.picture != nullptr ? mean_edge_texels(geometry, heights, triangles)
+                                           : mean_edge_length(geometry, triangles) * kPointsACell *
+                                                 SolidHeights(geometry, *heights.solid).cells_a_unit());
   int pieces = static_cast<int>(std::clamp(wanted, 1.0, double{kMaxDisplacedPieces}));
   const auto fits = [&](int n) {
     const auto squared = static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);

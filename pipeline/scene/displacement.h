@@ -4,29 +4,31 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <glm/mat3x3.hpp>
 
 #include "pipeline/scene/prepared_geometry.h"
 #include "pipeline/scene/scene.h"
+#include "pipeline/scene/texture_choice.h"
 #include "raster/textures/texture.h"
 
 namespace barrido::scene {
 
 /// Heights in [0, 1] over a surface.
 struct HeightMap {
-  const raster::Texture* picture =
-      nullptr;                ///< Its red channel; linear, with mip levels. Null: 1 everywhere.
-  glm::mat3 transform{1.0f};  ///< (u, v, 1) → (u', v', 1)
+  const raster::Texture* picture = nullptr;  ///< Its red channel; linear, with mip levels.
+  glm::mat3 transform{1.0f};                 ///< (u, v, 1) → (u', v', 1)
   int texcoord_set = 0;
   Displacement by;
+  std::optional<SolidTexture> solid;  ///< In place of a picture. Neither: 1 everywhere.
 };
 
 /// Whether the primitive has what displacement needs: triangles and, for a picture, coordinates.
 bool can_displace(const PreparedGeometry& geometry, const HeightMap& heights);
 
 /// Pieces that each edge is cut into: as many as asked for; else such that a piece is a texel long in the
-/// mean, as far as `memory` bytes go.
+/// mean, or an eighth of a procedure's cell, as far as `memory` bytes go.
 int displacement_pieces(const PreparedGeometry& geometry, const HeightMap& heights, std::uint64_t memory);
 
 /// Bytes that displacing takes, at most.

@@ -45,6 +45,7 @@ std::optional<HeightMap> Displacer::heights_of(int material) {
   HeightMap heights;
   if (!user_.source.empty()) {
     heights.picture = user_.picture.get();
+    heights.solid = user_.solid;
     heights.by = with_user({}, user_);
     return heights;
   }
@@ -72,13 +73,15 @@ PreparedGeometry& Displacer::displaced(int mesh, int primitive, std::optional<fl
     for (int r = 0; r < 3; ++r) key.push_back(heights.transform[c][r]);
   }
   Kept& kept = kept_[{mesh, primitive}];
-  if (kept.geometry && kept.key == key && kept.picture == heights.picture) return *kept.geometry;
+  if (kept.geometry && kept.key == key && kept.picture == heights.picture && kept.solid == heights.solid) {
+    return *kept.geometry;
+  }
   kept_bytes_ -= kept.bytes;
   kept = {};
   auto geometry = prepare(source, crease_angle_deg);
   const std::uint64_t bytes = displace_within(*geometry, mesh, primitive, heights);
   kept_bytes_ += bytes;
-  kept = {std::move(key), heights.picture, bytes, std::move(geometry)};
+  kept = {std::move(key), heights.picture, heights.solid, bytes, std::move(geometry)};
   return *kept.geometry;
 }
 

@@ -38,6 +38,7 @@ class Displacer {
   struct Kept {
     std::vector<float> key;
     const raster::Texture* picture = nullptr;
+    std::optional<SolidTexture> solid;
     std::uint64_t bytes = 0;
     std::unique_ptr<PreparedGeometry> geometry;
   };

@@ -77,10 +77,13 @@ struct MapOverride {
 
 /// Displacement as the user wants it: of all surfaces, and in place of the materials' own.
 struct UserDisplacement {
-  std::string source;  ///< "constant" (height 1) or a picture's path; empty: as the materials say.
+  std::string source;  ///< "constant" (height 1), a procedure, or a picture's path; empty: the materials'.
+  std::optional<SolidTexture> solid;               ///< Of that procedure; in the object's space always.
   std::shared_ptr<const raster::Texture> picture;  ///< Of that path: linear, with mip levels.
   std::optional<float> scale, bias;                ///< See Displacement.
   std::optional<int> pieces;
+
+  bool names_picture() const { return !source.empty() && source != "constant" && !solid; }
 };
 
 /// Lines drawn over the finished picture.

@@ -263,7 +263,7 @@ std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& opt
 
 std::shared_ptr<const raster::Texture> load_heights(const scene::UserDisplacement& displacement,
                                                     scene::Budget* budget) {
-  if (displacement.source.empty() || displacement.source == "constant") return nullptr;
+  if (!displacement.names_picture()) return nullptr;
   scene::ImageLimits limits;
   limits.budget = budget;
   limits.bytes_a_pixel = 10;  // With its mip levels

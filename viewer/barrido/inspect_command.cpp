@@ -28,7 +28,7 @@ scene::RenderSettings settings_of_frame(const RenderOptions& options, const scen
   if (!options.texture_path.empty()) {
     settings.texture.picture = load_texture(options, limits.open(options.texture_path, true).get());
   }
-  if (scene::UserDisplacement& displacement = settings.displacement; !displacement.source.empty()) {
+  if (scene::UserDisplacement& displacement = settings.displacement; displacement.names_picture()) {
     displacement.picture = load_heights(displacement, limits.open(displacement.source, true).get());
   }
   const int root = scene::resolve_scene_index(scene, settings.scene_index);

@@ -117,7 +117,7 @@ void RenderCall::load_environment() {
 
 void RenderCall::load_heights() {
   scene::UserDisplacement& displacement = settings_.displacement;
-  if (displacement.source.empty() || displacement.source == "constant") return;
+  if (!displacement.names_picture()) return;
   displacement.picture = cli::load_heights(displacement, limits_.open(displacement.source, true).get());
 }
 

@@ -154,11 +154,12 @@ constexpr RenderOption kShadingOptions[] = {
            "metallic=M roughness=R, and the formula's own: ambient=R,G,B diffuse=R,G,B specular=R,G,B "
            "emission=R,G,B shininess=N. Colours are linear.",
            parsed<&Settings::material, parse_material, material_text>(), by_hand("Material")),
-    option("--displacement", "PATH", kPicture,
-           "Move all surfaces along their normals, before anything else is done with them, by the heights of "
-           "a picture (its red), or constant. Default: as the materials say.",
-           parsed<&UserDisplacement::source, parse_displacement, copied>(),
-           no_editor("the call names its picture")),
+    option(
+        "--displacement", "PATH", kPicture,
+        "Move all surfaces along their normals, before anything else is done with them, by the heights of "
+        "a picture (its red), of a procedure as --texture has them, or constant. Default: as the materials "
+        "say.",
+        custom<read_displacement, displacement_texts>(), no_editor("the call names its picture")),
     option("--displacement-scale", "S", kPicture,
            "How far a height of 1 moves, in the model's units; below 0 inwards. Default: the materials', or "
            "0.1.",

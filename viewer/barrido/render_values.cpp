@@ -89,9 +89,15 @@ Texts mapping_texts(const RenderOptions& options) {
   return mapping ? Texts{mapping_text(*mapping)} : Texts{};
 }
 
-std::string parse_displacement(std::string_view text) {
-  if (text.empty()) throw ValueError("expected a picture or constant");
-  return std::string(text);
+void read_displacement(RenderOptions& options, std::string_view text) {
+  if (text.empty()) throw ValueError("expected a picture, a procedure or constant");
+  options.settings.displacement.solid = parse_solid(text);
+  options.settings.displacement.source = text;
+}
+
+Texts displacement_texts(const RenderOptions& options) {
+  const std::string& source = options.settings.displacement.source;
+  return source.empty() ? Texts{} : Texts{source};
 }
 
 void read_light(RenderOptions& options, std::string_view text) {

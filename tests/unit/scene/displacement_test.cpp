@@ -144,7 +144,9 @@ TEST(Displacement, ASphereMovedByAConstantIsASphere) {  // T15
     EXPECT_NEAR(glm::length(at(moved->normals, v)), 1.0f, 1e-6f);
   }
   // Points within the old triangles lie as far above these.
-  const auto flat = displaced(source, {nullptr, glm::mat3(1), 0, {0, 0, 0}}, 5);
+  HeightMap unmoved;
+  unmoved.by = {0, 0, 0};
+  const auto flat = displaced(source, unmoved, 5);
   const auto fine = displaced(source, heights, 5);
   ASSERT_EQ(flat->geometry.vertex_count, fine->geometry.vertex_count);
   for (std::uint32_t v = 0; v < fine->geometry.vertex_count; ++v) {
@@ -243,6 +245,28 @@ TEST(Displacement, HeightsComeFromThePicture) {
     }
     EXPECT_NEAR(p.z, 2 * mean - 0.5, 2e-2) << column << " " << row;
   }
+}
+
+TEST(Displacement, HeightsComeFromAProcedure) {
+  HeightMap heights;
+  heights.solid.emplace();
+  heights.solid->pattern.kind = raster::PatternKind::noise;
+  heights.solid->pattern.octaves = 3;
+  heights.solid->scale = 0.5f;
+  heights.by = {0.8f, -0.4f, 0};
+  const auto geometry = prepare(box(), std::nullopt);
+  // Edges are 2 or 2√2 long: (2 + 2 + 2√2)/3 in the mean, in cells of ½ with 8 points each.
+  EXPECT_EQ(displacement_pieces(*geometry, heights, std::uint64_t{1} << 40), 37);
+  const auto moved = displaced(box(), heights, 9);
+  expect_watertight(*moved, "noise");
+  float least = 1, most = -1;
+  for (const float amount : moved->displaced.amount) {
+    least = std::min(least, amount);
+    most = std::max(most, amount);
+  }
+  EXPECT_GT(most - least, 0.2f);
+  EXPECT_GE(least, -0.4f);
+  EXPECT_LE(most, 0.4f);
 }
 
 TEST(Displacement, PiecesAreATexelLongWhereMemoryAllows) {
