@@ -8,13 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "pipeline/scene/displacement_heights.h"
 #include "pipeline/scene/subdivision.h"
-#include "pipeline/scene/texture_placement.h"
 #include "pipeline/scene/triangles.h"
 #include "pipeline/scene/weld.h"
-#include "raster/base/portable_math.h"
-#include "raster/reference/pattern.h"
-#include "raster/reference/sampling.h"
 
 namespace barrido::scene {
 namespace {
@@ -23,11 +20,6 @@ namespace {
 constexpr std::uint64_t kMostAutomaticTriangles = std::uint64_t{1} << 20;
 /// Indices have 32 bits.
 constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 31;
-
-glm::dvec3 vector3(const pipeline::Attribute& attribute, std::uint32_t vertex) {
-  const float* v = attribute.data + static_cast<std::size_t>(attribute.stride) * vertex;
-  return {v[0], v[1], v[2]};
-}
 
 std::vector<float> packed(const pipeline::Attribute& attribute, std::uint32_t count) {
   std::vector<float> values;
@@ -51,104 +43,6 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
 std::vector<std::uint32_t> triangles_of(const PreparedGeometry& geometry) {
   return triangle_list(geometry.geometry.mode, geometry.geometry.indices, geometry.geometry.vertex_count);
 }
-
-/// Where a vertex lies on the height map.
-glm::vec2 place_of(const PreparedGeometry& geometry, const HeightMap& heights, std::uint32_t vertex) {
-  const pipeline::Attribute& set = geometry.texcoord_sets[static_cast<std::size_t>(heights.texcoord_set)];
-  const float* uv = set.data + static_cast<std::size_t>(set.stride) * vertex;
-  return {heights.transform * glm::vec3(uv[0], uv[1], 1.0f)};
-}
-
-/// Mean length of the triangles' edges on the picture, in texels.
-double mean_edge_texels(const PreparedGeometry& geometry, const HeightMap& heights,
-                        const std::vector<std::uint32_t>& triangles) {
-  const glm::dvec2 size(heights.picture->width(), heights.picture->height());
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t c = 0; c < triangles.size(); ++c) {
-    const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
-    const glm::dvec2 edge = (glm::dvec2(place_of(geometry, heights, triangles[next])) -
-                             glm::dvec2(place_of(geometry, heights, triangles[c]))) *
-                            size;
-    const double length = std::sqrt(glm::dot(edge, edge));
-    if (!std::isfinite(length)) continue;
-    sum += length;
-    ++count;
-  }
-  return count == 0 ? 1.0 : sum / static_cast<double>(count);
-}
-
-/// Mean length of the triangles' edges.
-double mean_edge_length(const PreparedGeometry& geometry, const std::vector<std::uint32_t>& triangles) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < triangles.size(); ++c) {
-    const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
-    const glm::dvec3 edge = vector3(geometry.rest, triangles[next]) - vector3(geometry.rest, triangles[c]);
-    const double length = std::sqrt(glm::dot(edge, edge));
-    if (std::isfinite(length)) sum += length;
-  }
-  return triangles.empty() ? 0.0 : sum / static_cast<double>(triangles.size());
-}
-
-/// Heights of a procedure about the object at rest, averaged over the distance of the points. A cell is an
-/// eighth of the object where the choice does not say.
-class SolidHeights {
- public:
-  SolidHeights(const PreparedGeometry& geometry, SolidTexture solid) : pattern_(solid.pattern) {
-    solid.space = SolidTexture::Space::object;
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    glm::vec3 low(kInfinity), high(-kInfinity);
-    for (std::uint32_t v = 0; v < geometry.geometry.vertex_count; ++v) {
-      const glm::vec3 p(vector3(geometry.rest, v));
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    PlacedObject object;
-    object.rest = geometry.rest;
-    const glm::dvec3 size(high - low);
-    object.scene_size = static_cast<float>(std::sqrt(glm::dot(size, size)));
-    pattern_from_object_ = glm::dmat4(place_solid(solid, object).matrix);
-    const glm::dvec3 unit(pattern_from_object_[0]);
-    cells_a_unit_ = std::sqrt(glm::dot(unit, unit));
-  }
-
-  /// Points are so many of the object's units apart.
-  void set_distance(double length) {
-    for (float& extent : extent_) extent = static_cast<float>(length * cells_a_unit_);
-  }
-  double cells_a_unit() const { return cells_a_unit_; }
-
-  double at(const glm::dvec3& place) const {
-    const glm::vec3 p(pattern_from_object_ * glm::dvec4(place, 1.0));
-    const float point[3] = {p.x, p.y, p.z};
-    return raster::reference::pattern_at(pattern_, point, extent_).value;
-  }
-
- private:
-  raster::Pattern pattern_;
-  glm::dmat4 pattern_from_object_{1.0};
-  double cells_a_unit_ = 1.0;
-  float extent_[3] = {0, 0, 0};
-};
-
-/// Heights of a picture, filtered as coarsely as the fine triangles are.
-class PictureHeights {
- public:
-  PictureHeights(const HeightMap& heights, double texels_apart) {
-    unit_.texture = heights.picture;
-    unit_.min_filter = raster::MinFilter::linear_mipmap_linear;
-    lod_ = portable_log2(static_cast<float>(std::clamp(texels_apart, 1e-6, 1e6)));
-  }
-
-  double at(const glm::dvec2& uv) const {
-    const float place[3] = {static_cast<float>(uv.x), static_cast<float>(uv.y), 0.0f};
-    return raster::reference::sample_texture(unit_, raster::TexcoordKind::plain, place, lod_)[0];
-  }
-
- private:
-  raster::TextureUnit unit_;
-  float lod_ = 0.0f;
-};
 
 /// The surface as it was, as the fine vertices need it.
 struct Source {
@@ -259,7 +153,7 @@ class Displacing {
     const auto height_at = [&](std::size_t t, const GridPoint& point) {
       if (picture) {
         return picture->at(blended<glm::dvec2>(point, {0, 1, 2}, pieces, [&](int k) {
-          return glm::dvec2(place_of(out_, heights_, corner(t, k)));
+          return glm::dvec2(place_on_heights(out_, heights_, corner(t, k)));
         }));
       }
       if (!solid) return 1.0;
