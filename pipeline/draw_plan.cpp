@@ -140,6 +140,17 @@ raster::FlatColors constant_colors(const glm::vec4& color, bool clamp) {
   return flat;
 }
 
+/// Samples up to this share beyond the sides of the view lie in a pixel's reach. 1 where none do.
+glm::vec2 side_reach(const raster::SampleReach& reach, const Viewport& viewport) {
+  const auto beside = [](int least, int most, int pixels) {
+    const int units = std::max({0, -least, most - raster::kSubpixelUnits});
+    return 1.0f + 2.0f * static_cast<float>(units) /
+                      (static_cast<float>(raster::kSubpixelUnits) * static_cast<float>(std::max(pixels, 1)));
+  };
+  return {beside(reach.least.x, reach.most.x, viewport.width),
+          beside(reach.least.y, reach.most.y, viewport.height)};
+}
+
 }  // namespace
 
 DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame,
@@ -154,6 +165,8 @@ DrawPlan::DrawPlan(const State& state, const Geometry& geometry, FrameSize frame
   const Viewport viewport = resolved(state.viewport, frame);
   topology = topology_of(state, geometry.mode);
   transform = vertex_transform(state, geometry, viewport);
+  transform.side_reach = side_reach(frame.reach, viewport);
+  cull.keep_between_centers = !frame.reach.is_center();
   const bool has_colors = geometry.color.data != nullptr;
   if (state.lighting.enabled) {
     illumination = compile_illumination(state.lighting, has_colors ? nullptr : &geometry.constant_color);

@@ -14,12 +14,14 @@
 #include "pipeline/state.h"
 #include "pipeline/vertex_batch.h"
 #include "raster/fragments/primitive.h"
+#include "raster/tiles/samples.h"
 
 namespace barrido::pipeline {
 
 struct FrameSize {
   int width = 0;
   int height = 0;
+  raster::SampleReach reach;  ///< Where pixels are sampled.
 };
 
 /// Which polygons go on to the rasterizer.
@@ -27,6 +29,8 @@ struct CullRule {
   bool keep_front = true;
   bool keep_back = true;
   bool front_is_counter_clockwise = true;
+  /// Those that cover no pixel's centre too: pixels are sampled elsewhere.
+  bool keep_between_centers = false;
 };
 
 /// A unit's coordinates: how they are made.

@@ -13,7 +13,8 @@ struct AssembledFrame;
 
 struct Frame {
   Frame(raster::Framebuffer& framebuffer, const raster::RasterizerOptions& options)
-      : size{framebuffer.width(), framebuffer.height()},
+      : size{framebuffer.width(), framebuffer.height(),
+             options.samples != nullptr ? options.samples->reach() : raster::SampleReach{}},
         rasterizer(framebuffer, options),
         profile(options.profile) {}
 

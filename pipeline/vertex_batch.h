@@ -6,6 +6,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -49,6 +50,8 @@ struct VertexTransform {
   bool depth_clamp = false;  ///< No outcodes for near and far, depth unclamped.
   int plane_count = 0;
   glm::vec4 planes[kMaxClipPlanes];  ///< User clip planes in object space: kept where dot ≥ 0.
+  /// How far the view volume reaches to either side, in shares of itself: samples may lie beside the frame.
+  glm::vec2 side_reach{1.0f};
   glm::vec3 window_scale{1.0f};  ///< Window = ndc × scale + offset, per axis (OpenGL 1.3, section 2.10.1).
   glm::vec3 window_offset{0.0f};
 };

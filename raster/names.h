@@ -141,6 +141,18 @@ template <>
 inline constexpr auto kNames<raster::ToneMap> = std::to_array<Named<raster::ToneMap>>(
     {{raster::ToneMap::clamp, "clamp"}, {raster::ToneMap::reinhard, "reinhard", "Reinhard"}});
 
+template <>
+inline constexpr auto kNames<raster::PixelFilterKind> =
+    std::to_array<Named<raster::PixelFilterKind>>({{raster::PixelFilterKind::box, "box"},
+                                                   {raster::PixelFilterKind::triangle, "triangle"},
+                                                   {raster::PixelFilterKind::cone, "cone"},
+                                                   {raster::PixelFilterKind::gaussian, "gaussian"},
+                                                   {raster::PixelFilterKind::mitchell, "mitchell"}});
+
+template <>
+inline constexpr auto kNames<raster::FilterOrder> = std::to_array<Named<raster::FilterOrder>>(
+    {{raster::FilterOrder::light, "light"}, {raster::FilterOrder::display, "display", "what is shown"}});
+
 /// As stories write them, between two numbers.
 template <>
 inline constexpr auto kNames<raster::Compare> =

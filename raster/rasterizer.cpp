@@ -11,12 +11,13 @@
 #include <stdexcept>
 
 #include "raster/kernels/kernels.h"
+#include "raster/sample_tile.h"
 #include "raster/tiles/binning.h"
 
 namespace barrido::raster {
 namespace {
 
-/// The pixels of a tile's row: its samples, of which each pixel has one.
+/// The pixels of a tile's row.
 PixelRow pixel_row(const TileSurface& tile, int row, int count) {
   const int at = row * kTileWidth;
   return {{tile.color_float[0] + at, tile.color_float[1] + at, tile.color_float[2] + at,
@@ -44,6 +45,7 @@ struct Rasterizer::Implementation {
   Framebuffer& frame;
   RasterizerOptions options;
   TileGrid grid;
+  SampleReach reach;
   ClearValues clear_values;
   bool starts_clear = true;  ///< The next flush starts from clear_values, else from the framebuffer.
   std::vector<std::unique_ptr<BinnedChunk>> chunks;
@@ -51,7 +53,9 @@ struct Rasterizer::Implementation {
   RasterStatistics statistics;
 
   Implementation(Framebuffer& f, const RasterizerOptions& o)
-      : frame(f), options(o), grid(f.width(), f.height()) {}
+      : frame(f), options(o), grid(f.width(), f.height()) {
+    if (options.samples != nullptr) reach = options.samples->reach();
+  }
 
   TileWorkspace& workspace() {
     auto& local = workspaces.local();
@@ -64,7 +68,8 @@ struct Rasterizer::Implementation {
 
   /// Whether the framebuffer holds all that a tile needs to go on from it.
   bool can_continue() const {
-    return !frame.depth().empty() && (!is_float() || !frame.color_float().empty());
+    return options.samples == nullptr && !frame.depth().empty() &&
+           (!is_float() || !frame.color_float().empty());
   }
 
   bool is_float() const { return frame.options().format == ColorFormat::rgba32f; }
@@ -86,9 +91,13 @@ struct Rasterizer::Implementation {
     }
   }
 
-  /// The samples of a float tile become pixels and pixels bytes, which are stored as those of any tile are.
+  /// Float pixels become bytes, which are stored as those of any tile are.
   void store(TileSurface& tile, const TileJob& job) const {
     if (is_float()) resolve(tile, job);
+    store_bytes(tile, job);
+  }
+
+  void store_bytes(const TileSurface& tile, const TileJob& job) const {
     const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight);
     store_tile({tile.color8, tile.depth}, job.width, job.height,
                {frame.color8().data() + at, frame.depth().empty() ? nullptr : frame.depth().data() + at,
@@ -99,10 +108,15 @@ struct Rasterizer::Implementation {
     for (int row = 0; row < job.height; ++row) {
       const PixelRow pixels = pixel_row(tile, row, job.width);
       display_row(pixels, frame.options().display, tile.color8 + row * kTileWidth);
-      if (frame.color_float().empty()) continue;
-      const std::size_t at = frame.index(job.column * kTileWidth, job.row * kTileHeight + row);
-      store_float_row(pixels, frame.color_float().data() + at * 4);
     }
+    store_floats(tile, job);
+  }
+
+  void store_floats(const TileSurface& tile, const TileJob& job) const {
+    if (frame.color_float().empty()) return;
+    for_each_row_of(job, [&](int row, std::size_t at) {
+      store_float_row(pixel_row(tile, row, job.width), frame.color_float().data() + at * 4);
+    });
   }
 
   void draw_tile(int tile) {
@@ -120,16 +134,74 @@ struct Rasterizer::Implementation {
     if (!starts_clear && w.chunks.empty()) return w.clock.stop();
     job.chunks = &w.chunks;
     job.visibility_first = options.visibility_first;
-    if (starts_clear) {
+    if (options.samples != nullptr) {
+      draw_samples(job, w);
+    } else if (starts_clear) {
       clear_tile(w.surface, clear_values.color.data(), clear_values.depth);
+      draw_and_store(job, w);
     } else {
       load_tile(w.surface, job);
+      draw_and_store(job, w);
     }
+    w.clock.stop();
+  }
+
+  void draw_and_store(const TileJob& job, TileWorkspace& w) const {
     w.clock.switch_to(Stage::spans);
     rasterize_tile(job, w);
     w.clock.switch_to(Stage::resolve);
     store(w.surface, job);
-    w.clock.stop();
+  }
+
+  /// The tile once for each sample, and their sums.
+  void draw_samples(TileJob& job, TileWorkspace& w) {
+    const SampleSettings& settings = *options.samples;
+    if (!w.sums) w.sums = std::make_unique<TileSums>();
+    start_sums(job, *w.sums);
+    add_samples({job, w, settings, clear_values, frame.options()});
+    if (!settings.is_last) return keep_sums(job, *w.sums);
+    resolve_samples(*w.sums, job, settings, w.surface);
+    if (is_float() && settings.order == FilterOrder::light) return store(w.surface, job);
+    if (is_float()) store_floats(w.surface, job);
+    store_bytes(w.surface, job);
+  }
+
+  void start_sums(const TileJob& job, TileSums& sums) const {
+    const SampleSettings& settings = *options.samples;
+    if (settings.is_first) {
+      for (auto& channel : sums.color) std::fill(std::begin(channel), std::end(channel), 0.0f);
+      std::fill(std::begin(sums.weight), std::end(sums.weight), 0.0f);
+      std::fill(std::begin(sums.depth), std::end(sums.depth), settings.background_depth);
+      return;
+    }
+    for_each_row_of(job, [&](int row, std::size_t at) {
+      const auto to = static_cast<std::size_t>(row * kTileWidth);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(job.width); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) sums.color[c][to + i] = settings.sums->color[4 * (at + i) + c];
+        if (settings.sums_weights()) sums.weight[to + i] = settings.sums->weight[at + i];
+        sums.depth[to + i] = settings.sums->depth[at + i];
+      }
+    });
+  }
+
+  void keep_sums(const TileJob& job, const TileSums& sums) const {
+    FrameSums& kept = *options.samples->sums;
+    for_each_row_of(job, [&](int row, std::size_t at) {
+      const auto from = static_cast<std::size_t>(row * kTileWidth);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(job.width); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) kept.color[4 * (at + i) + c] = sums.color[c][from + i];
+        if (options.samples->sums_weights()) kept.weight[at + i] = sums.weight[from + i];
+        kept.depth[at + i] = sums.depth[from + i];
+      }
+    });
+  }
+
+  /// Calls visit(row, at) with each row of the tile and where the frame has its first pixel.
+  template <class Visit>
+  void for_each_row_of(const TileJob& job, const Visit& visit) const {
+    for (int row = 0; row < job.height; ++row) {
+      visit(row, frame.index(job.column * kTileWidth, job.row * kTileHeight + row));
+    }
   }
 };
 
@@ -145,8 +217,9 @@ void Rasterizer::clear(const ClearValues& values) {
 
 std::unique_ptr<BinnedChunk> Rasterizer::bin(PrimitiveChunk&& chunk) const {
   const StageClock clock(implementation_->options.profile, Stage::binning);
-  return std::make_unique<BinnedChunk>(std::move(chunk), implementation_->grid,
-                                       implementation_->frame.options().format);
+  const Implementation& r = *implementation_;
+  return std::make_unique<BinnedChunk>(std::move(chunk), r.grid, r.frame.options().format, r.reach,
+                                       r.options.samples != nullptr && r.options.samples->has_places());
 }
 
 void Rasterizer::submit(std::unique_ptr<BinnedChunk> chunk) {
@@ -157,7 +230,8 @@ void Rasterizer::submit(std::unique_ptr<BinnedChunk> chunk) {
 void Rasterizer::flush() {
   Implementation& r = *implementation_;
   if (!r.starts_clear && !r.can_continue()) {
-    throw std::logic_error("drawing on top of a finished frame needs its depth and float colours kept");
+    throw std::logic_error(
+        "drawing on top of a finished frame needs its depth and float colours kept, and one sample a pixel");
   }
   tbb::parallel_for(tbb::blocked_range<int>(0, r.grid.count(), 1),
                     [&r](const tbb::blocked_range<int>& tiles) {

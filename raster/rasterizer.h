@@ -10,6 +10,7 @@
 #include "raster/fragments/primitive.h"
 #include "raster/tiles/framebuffer.h"
 #include "raster/tiles/raster_statistics.h"
+#include "raster/tiles/samples.h"
 
 namespace barrido::raster {
 
@@ -19,6 +20,8 @@ struct RasterizerOptions {
   bool visibility_first = true;
   /// Where the time goes, or null: then no clock is read. Must outlive the rasterizer.
   StageProfile* profile = nullptr;
+  /// Null: one sample a pixel, at its centre. Must outlive the rasterizer.
+  const SampleSettings* samples = nullptr;
 };
 
 class BinnedChunk;
@@ -40,7 +43,8 @@ class Rasterizer {
 
   /// Draws all that was submitted into the framebuffer. More may be submitted afterwards, on top, when the
   /// framebuffer keeps depth and, for rgba32f, float colours.
-  /// @throws std::logic_error when it does not and this is not the first flush after clear().
+  /// @throws std::logic_error when it does not, or pixels have several samples, and this is not the first
+  /// flush after clear().
   void flush();
 
   const RasterStatistics& statistics() const;

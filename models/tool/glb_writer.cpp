@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 namespace barrido::models {
 namespace {
@@ -145,6 +146,32 @@ int GlbWriter::add_node(Json node) {
   const int index = append_to("nodes", std::move(node));
   root_["scenes"][0]["nodes"].push_back(index);
   return index;
+}
+
+void GlbWriter::add_turning(int node, double seconds) {
+  const double root_half = std::sqrt(0.5);
+  // Quarter turns: the sines and cosines of half their angles.
+  const double sine[5] = {0, root_half, 1, root_half, 0};
+  const double cosine[5] = {1, root_half, 0, -root_half, -1};
+  std::vector<double> times, turns;
+  for (int key = 0; key < 5; ++key) {
+    times.push_back(seconds * key / 4);
+    turns.insert(turns.end(), {0, 0, sine[key], cosine[key]});
+  }
+  const auto add_values = [&](const std::vector<double>& values, int components, const char* type) {
+    const int accessor = add_vectors(values, components, components == 1);
+    Json& added = root_["accessors"][static_cast<std::size_t>(accessor)];
+    added["type"] = type;
+    root_["bufferViews"][added["bufferView"].get<std::size_t>()].erase("target");
+    return accessor;
+  };
+  const int input = add_values(times, 1, "SCALAR");
+  const int output = add_values(turns, 4, "VEC4");
+  append_to("animations",
+            Json{{"name", "turning"},
+                 {"samplers", Json::array({Json{{"input", input}, {"output", output}}})},
+                 {"channels",
+                  Json::array({Json{{"sampler", 0}, {"target", {{"node", node}, {"path", "rotation"}}}}})}});
 }
 
 void GlbWriter::declare_extension(const std::string& name) { root_["extensionsUsed"].push_back(name); }

@@ -37,6 +37,8 @@ class GlbWriter {
   int add_camera(Json camera);
   /// A root node of the scene. Returns its index.
   int add_node(Json node);
+  /// Lets a node turn about its z axis, from x to y, once in so many seconds, for ever the same speed.
+  void add_turning(int node, double seconds);
   /// Names an extension in extensionsUsed; lights do so themselves.
   void declare_extension(const std::string& name);
   /// extras.barrido of the scene.

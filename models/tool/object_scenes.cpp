@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "models/tool/scene_parts.h"
 #include "models/tool/scenes.h"
 #include "models/tool/teapot.h"
@@ -80,11 +82,46 @@ SceneFile make_relief_torus(const Textures& textures) {
   return {"relief.glb", writer.bytes()};
 }
 
+/// A wheel in the plane z = 0: rim, hub and spokes, none of them marked.
+Mesh make_wheel(int spokes) {
+  constexpr double kTurn = 6.283185307179586;
+  Mesh wheel = make_torus(1.0, 0.09, 96, 16, {1, 1});
+  append(wheel, make_torus(0.12, 0.07, 32, 16, {1, 1}));
+  for (std::vector<Vec3>* vectors : {&wheel.positions, &wheel.normals}) {
+    for (Vec3& v : *vectors) v = {v.x, -v.z, v.y};  // from about y to about z
+  }
+  for (int i = 0; i < spokes; ++i) {
+    const Vec3 out{std::cos(kTurn * i / spokes), std::sin(kTurn * i / spokes), 0};
+    const Vec3 across{-out.y, out.x, 0};
+    append(wheel, make_grid(out * 0.1 + across * 0.035, out * 0.88, across * -0.07, 1, 1));
+  }
+  return wheel;
+}
+
+/// Twelve spokes, 30° apart, that go on by 28° from one picture to the next where there are 30 a second: they
+/// seem to turn back by 2°.
+SceneFile make_turning_wheel() {
+  constexpr int kSpokes = 12;
+  constexpr double kDegreesAPicture = 28.0, kPicturesASecond = 30.0;
+  GlbWriter writer("Wheel");
+  Json material = make_material("brass", {0.75, 0.55, 0.2}, 0.0, 0.4);
+  material["doubleSided"] = true;
+  const int mesh = writer.add_mesh("wheel", make_wheel(kSpokes), writer.add_material(std::move(material)));
+  writer.add_turning(writer.add_node({{"name", "wheel"}, {"mesh", mesh}}),
+                     360.0 / (kDegreesAPicture * kPicturesASecond));
+  add_camera(writer, {{0, 0, 5}, {0, 0, 0}, 0.26, 0.5, 50.0});
+  return {"wheel.glb", writer.bytes()};
+}
+
 }  // namespace
 
 std::vector<SceneFile> make_object_scenes(const Textures& textures, int teapot_cells) {
-  return {make_plain_teapot(teapot_cells), make_patch_teapot(textures.at("patch"), teapot_cells),
-          make_lit_sphere(), make_brick_torus(textures.at("bricks")), make_relief_torus(textures)};
+  return {make_plain_teapot(teapot_cells),
+          make_patch_teapot(textures.at("patch"), teapot_cells),
+          make_lit_sphere(),
+          make_brick_torus(textures.at("bricks")),
+          make_relief_torus(textures),
+          make_turning_wheel()};
 }
 
 }  // namespace barrido::models

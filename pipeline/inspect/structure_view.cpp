@@ -27,7 +27,9 @@ constexpr std::array<std::string_view, kStructureViewCount> kDescriptions{
     "a colour for each visible triangle",
     "distance from the eye along the line of sight",
     "normal as it is lit, in eye space",
-    "second derivative of brightness, in 1/255"};
+    "second derivative of brightness, in 1/255",
+    "samples taken of each pixel",
+    "pixels whose corners alone lose something"};
 
 /// Shows the frame to a function, and does not have it drawn.
 class Onlooker final : public scene::FrameObserver {
@@ -99,6 +101,27 @@ std::uint32_t pixel_of(const ViewValues& values, std::size_t i) {
   return packed(color_of(values, values.values[i]));
 }
 
+/// Of adaptive sampling what it did; slivers are looked for by it whatever the settings say.
+void count_samples(scene::SceneRenderer& renderer, scene::RenderSettings settings, ViewValues& values) {
+  const bool counts = values.view == StructureView::samples;
+  if (counts && settings.samples.sampling != scene::Sampling::adaptive) {
+    std::fill(values.values.begin(), values.values.end(), static_cast<float>(settings.samples.count));
+  } else {
+    scene::SampleChoice& choice = settings.samples;
+    if (choice.sampling != scene::Sampling::adaptive) choice = {};
+    choice.sampling = scene::Sampling::adaptive;
+    raster::SampleReport report;
+    report.counts.resize(values.values.size());
+    report.slivers.resize(values.values.size());
+    settings.sample_report = &report;
+    renderer.render(settings);
+    for (std::size_t i = 0; i < values.values.size(); ++i) {
+      values.values[i] = static_cast<float>(counts ? report.counts[i] : report.slivers[i]);
+    }
+  }
+  for (const float value : values.values) values.total += static_cast<std::uint64_t>(value);
+}
+
 }  // namespace
 
 std::string_view description_of(StructureView view) { return kDescriptions[static_cast<std::size_t>(view)]; }
@@ -147,6 +170,10 @@ ViewValues measure_view(scene::SceneRenderer& renderer, const scene::RenderSetti
       differentiate(renderer.render(floats), values);
       break;
     }
+    case StructureView::samples:
+    case StructureView::slivers:
+      count_samples(renderer, settings, values);
+      break;
   }
   summarize(values);
   return values;

@@ -29,6 +29,8 @@ enum class StructureView : std::uint8_t {
   depth,          ///< Distance of the visible surface from the eye, along the line of sight.
   normals,        ///< Normal with which the visible surface is lit, in eye space.
   mach_bands,     ///< Second derivative of the frame's brightness: light bands and dark bands.
+  samples,        ///< Samples a pixel takes.
+  slivers,        ///< 1 where the corners of a pixel alone lose something (adaptive sampling), else 0.
 };
 }  // namespace barrido::inspect
 
@@ -47,7 +49,9 @@ inline constexpr auto kNames<inspect::StructureView> =
                                                   {inspect::StructureView::triangles, "triangles"},
                                                   {inspect::StructureView::depth, "depth"},
                                                   {inspect::StructureView::normals, "normals"},
-                                                  {inspect::StructureView::mach_bands, "mach-bands"}});
+                                                  {inspect::StructureView::mach_bands, "mach-bands"},
+                                                  {inspect::StructureView::samples, "samples"},
+                                                  {inspect::StructureView::slivers, "slivers"}});
 
 }  // namespace barrido
 

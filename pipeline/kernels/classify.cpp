@@ -136,7 +136,9 @@ TriangleClasses ClassifyTriangles(const TriangleBlock& block, const CullRule& ru
     const auto most = hn::Max(columns.count, rows.count);
     auto covers = hn::And(kept, hn::Gt(hn::Min(columns.count, rows.count), hn::Zero(Ints())));
     const auto has_few = hn::And(covers, hn::Lt(most, hn::Set(Ints(), 3)));
-    if (!hn::AllFalse(Ints(), has_few)) {
+    if (rule.keep_between_centers) {
+      covers = kept;
+    } else if (!hn::AllFalse(Ints(), has_few)) {
       covers = hn::AndNot(hn::And(has_few, miss_all_centres(a, b, c, sign, columns, rows)), covers);
     }
     const auto seen = hn::RebindMask(Words(), covers);

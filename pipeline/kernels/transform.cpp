@@ -89,16 +89,20 @@ HWY_INLINE hn::Vec<U> code_where(hn::Mask<F> mask, std::uint32_t code) {
 }
 
 /// Outcode against the view volume. `placed`: the lanes that have a window position.
-HWY_INLINE hn::Vec<U> outcodes(const Vec4& clip, bool depth_clamp, hn::Mask<F> finite, hn::Mask<F> placed) {
+HWY_INLINE hn::Vec<U> outcodes(const Vec4& clip, const VertexTransform& transform, hn::Mask<F> finite,
+                               hn::Mask<F> placed) {
   const F d;
+  const bool depth_clamp = transform.depth_clamp;
   const auto inside_xy = hn::And(hn::Le(hn::Abs(clip.x), clip.w), hn::Le(hn::Abs(clip.y), clip.w));
   const auto inside_z = depth_clamp ? placed : hn::Le(hn::Abs(clip.z), clip.w);
   if (hn::AllTrue(d, hn::And(hn::And(inside_xy, inside_z), hn::And(finite, placed)))) return hn::Zero(U());
   const V minus_w = hn::Neg(clip.w);
-  auto code = hn::Or(code_where(hn::Lt(clip.x, minus_w), kOutsideLeft),
-                     code_where(hn::Gt(clip.x, clip.w), kOutsideRight));
-  code = hn::Or(code, code_where(hn::Lt(clip.y, minus_w), kOutsideBottom));
-  code = hn::Or(code, code_where(hn::Gt(clip.y, clip.w), kOutsideTop));
+  const V reach_x = hn::Mul(clip.w, broadcast(transform.side_reach.x));
+  const V reach_y = hn::Mul(clip.w, broadcast(transform.side_reach.y));
+  auto code = hn::Or(code_where(hn::Lt(clip.x, hn::Neg(reach_x)), kOutsideLeft),
+                     code_where(hn::Gt(clip.x, reach_x), kOutsideRight));
+  code = hn::Or(code, code_where(hn::Lt(clip.y, hn::Neg(reach_y)), kOutsideBottom));
+  code = hn::Or(code, code_where(hn::Gt(clip.y, reach_y), kOutsideTop));
   if (!depth_clamp) {
     code = hn::Or(code, code_where(hn::Lt(clip.z, minus_w), kOutsideNear));
     code = hn::Or(code, code_where(hn::Gt(clip.z, clip.w), kOutsideFar));
@@ -160,7 +164,7 @@ void ProjectPositions(const VertexTransform& transform, VertexBatch& batch, Pack
     const V z = to_window(transform, 2, clip.z, q);
     hn::Store(transform.depth_clamp ? clamp_to_bound(z) : clamp01(z), d, batch.depth + i);
     hn::Store(q, d, batch.q + i);
-    const auto x_and_code = hn::Or(snapped(x, placed), outcodes(clip, transform.depth_clamp, finite, placed));
+    const auto x_and_code = hn::Or(snapped(x, placed), outcodes(clip, transform, finite, placed));
     const auto y_and_code = hn::Or(snapped(y, placed), plane_codes(transform, object));
     hn::StoreInterleaved2(x_and_code, y_and_code, U(), &positions[i].x);
   }

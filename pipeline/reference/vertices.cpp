@@ -17,12 +17,14 @@ glm::vec4 row(const glm::mat4& m, int r) { return {m[0][r], m[1][r], m[2][r], m[
 float clamp_to_bound(float v) { return std::min(std::max(v, -kBound), kBound); }
 float inverse_length(const glm::vec3& v) { return 1.0f / std::sqrt(std::max(dot(v, v), 1e-30f)); }
 
-std::uint32_t outcode(const glm::vec4& clip, bool depth_clamp) {
+std::uint32_t outcode(const glm::vec4& clip, const VertexTransform& transform) {
+  const bool depth_clamp = transform.depth_clamp;
+  const glm::vec2 reach = clip.w * transform.side_reach;
   std::uint32_t code = 0;
-  if (clip.x < -clip.w) code |= kOutsideLeft;
-  if (clip.x > clip.w) code |= kOutsideRight;
-  if (clip.y < -clip.w) code |= kOutsideBottom;
-  if (clip.y > clip.w) code |= kOutsideTop;
+  if (clip.x < -reach.x) code |= kOutsideLeft;
+  if (clip.x > reach.x) code |= kOutsideRight;
+  if (clip.y < -reach.y) code |= kOutsideBottom;
+  if (clip.y > reach.y) code |= kOutsideTop;
   if (!depth_clamp && clip.z < -clip.w) code |= kOutsideNear;
   if (!depth_clamp && clip.z > clip.w) code |= kOutsideFar;
   return code;
@@ -117,7 +119,7 @@ ProjectedVertex project(const VertexTransform& t, const glm::vec4& object) {
   const bool placed =
       has_w && std::fabs(window.x) <= kGuardLimitPixels && std::fabs(window.y) <= kGuardLimitPixels;
   out.depth = t.depth_clamp ? clamp_to_bound(window.z) : std::min(window.z > 0.0f ? window.z : 0.0f, 1.0f);
-  out.position.x = (placed ? snapped(window.x) : 0) | outcode(clip, t.depth_clamp);
+  out.position.x = (placed ? snapped(window.x) : 0) | outcode(clip, t);
   if (!placed) out.position.x |= kOffGuardBand;
   if (!finite) out.position.x |= kNotANumber;
   out.position.y = placed ? snapped(window.y) : 0;

@@ -195,11 +195,12 @@ View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettin
 }
 
 SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
-                         std::vector<std::string>& warnings) {
+                         std::vector<std::string>& warnings, const std::function<void(View&)>& look) {
   SceneFrame frame;
   frame.posed = pose_scene(scene, settings, caches);
   frame.aspect = aspect_of(settings);
   frame.view = choose_view(scene, frame.posed, settings);
+  if (look) look(frame.view);
   frame.lights = choose_lights(scene, frame.posed.nodes, frame.posed.scene_index, frame.posed.pose, settings,
                                frame.view.eye_from_world, light_scale(scene, frame.posed, caches), warnings);
   const int index = frame.posed.scene_index;

@@ -2,6 +2,7 @@
 // earlier frames left in the caches; leaves: pose, eye, lights, draws and surroundings. Draws nothing.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,9 +63,10 @@ PosedScene pose_scene(const Scene& scene, const RenderSettings& settings, SceneC
 /// The view of `posed` that the settings ask for. @throws InputError when there is no such camera.
 View choose_view(const Scene& scene, const PosedScene& posed, const RenderSettings& settings);
 
+/// `look`, unless empty, changes the view (where on the lens it goes through) before the rest is chosen.
 /// @throws InputError as the two above.
 SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, SceneCaches& caches,
-                         std::vector<std::string>& warnings);
+                         std::vector<std::string>& warnings, const std::function<void(View&)>& look = {});
 
 /// Encoding of colour pictures: decoded for frames in linear light, else used as they are.
 raster::Encoding color_encoding(const RenderSettings& settings);

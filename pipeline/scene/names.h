@@ -35,4 +35,10 @@ inline constexpr auto kNames<scene::ColorManagement> =
     std::to_array<Named<scene::ColorManagement>>({{scene::ColorManagement::srgb, "srgb", "managed (sRGB)"},
                                                   {scene::ColorManagement::none, "none", "as stored"}});
 
+template <>
+inline constexpr auto kNames<scene::Sampling> =
+    std::to_array<Named<scene::Sampling>>({{scene::Sampling::uniform, "uniform"},
+                                           {scene::Sampling::jittered, "jittered"},
+                                           {scene::Sampling::adaptive, "adaptive"}});
+
 }  // namespace barrido

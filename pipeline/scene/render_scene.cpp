@@ -14,6 +14,7 @@
 #include "pipeline/scene/frame.h"
 #include "pipeline/scene/frame_observer.h"
 #include "pipeline/scene/overlay.h"
+#include "pipeline/scene/sample_loop.h"
 #include "pipeline/scene/straight_alpha.h"
 #include "pipeline/scene/why_empty.h"
 #include "raster/base/portable_math.h"
@@ -37,6 +38,7 @@ struct Pass {
   const std::map<int, raster::Texture>* node_maps = nullptr;
   FrameObserver* observer = nullptr;
   std::optional<Backing> backing;
+  const raster::SampleSettings* samples = nullptr;  ///< Null: one, at the pixel's centre.
 };
 
 glm::mat4 world_from_eye_rotation(const View& view) {
@@ -109,7 +111,7 @@ class PassRenderer {
         reflections_(reflections),
         node_reflections_(node_reflections),
         framebuffer_(framebuffer),
-        renderer_(framebuffer, {settings.visibility_first, settings.profile},
+        renderer_(framebuffer, {settings.visibility_first, settings.profile, pass.samples},
                   pass.observer != nullptr ? &assembled_ : nullptr),
         base_(base_state(settings, pass.view, frame.lights, frame.fog)),
         overlay_(settings, pass.view),
@@ -239,6 +241,11 @@ struct SceneRenderer::Implementation {
   SceneCaches caches;
   std::vector<std::string> warnings;
 
+  void draw(const SampleGo& go, FrameObserver* observer, std::optional<raster::Framebuffer>& framebuffer,
+            pipeline::Statistics& work);
+  double focus_from_pixel(RenderSettings settings);
+  Lens lens_of(const RenderSettings& settings);
+
   raster::Texture environment_of(int node, const glm::dvec3& center, const RenderSettings& settings,
                                  const SceneFrame& frame, pipeline::Statistics& work) {
     std::vector<raster::Framebuffer> faces;
@@ -252,7 +259,8 @@ struct SceneRenderer::Implementation {
                       node,
                       nullptr,
                       nullptr,
-                      {}};
+                      {},
+                      nullptr};
       faces.emplace_back(face_options(settings));
       add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
     }
@@ -285,6 +293,51 @@ struct SceneRenderer::Implementation {
   }
 };
 
+/// Draws into `framebuffer`, which is made when it is not there yet.
+void SceneRenderer::Implementation::draw(const SampleGo& go, FrameObserver* observer,
+                                         std::optional<raster::Framebuffer>& framebuffer,
+                                         pipeline::Statistics& work) {
+  const RenderSettings& settings = go.settings;
+  std::vector<std::string> unused;
+  const SceneFrame frame = prepare_frame(scene, settings, caches, go.warns ? warnings : unused, go.look);
+  const std::optional<Backing> backing = backing_of(frame);
+  const bool is_sampled = go.samples != nullptr;
+  if (is_sampled) set_background(*go.samples, frame, backing);
+  if (!framebuffer) framebuffer.emplace(frame_options(settings, backing.has_value() && !is_sampled));
+  std::map<int, raster::Texture> node_maps;
+  if (settings.dynamic_environment) node_maps = environments(settings, frame, work);
+  ReflectionMaps node_reflections;
+  const Pass pass{frame.view,        frame.aspect, frame.backdrop_in_view,
+                  settings.overlays, kNone,        &node_maps,
+                  observer,          backing,      go.samples};
+  PassRenderer renderer(settings, frame, pass, caches.reflections, node_reflections, *framebuffer);
+  const pipeline::Statistics own = renderer.run();
+  add(work, own);
+  if (!renderer.is_drawn()) return;
+  // Sums of samples have become straight colours already.
+  finish_colors(*framebuffer, is_sampled ? std::nullopt : backing, settings);
+  if (go.warns) warn(frame, settings, own, renderer.slices());
+}
+
+/// The distance that is seen at the pixel to focus on; 0 where there is nothing.
+double SceneRenderer::Implementation::focus_from_pixel(RenderSettings settings) {
+  const PixelPlace place = *settings.samples.focus_pixel;
+  if (place.x >= settings.width || place.y >= settings.height) return 0.0;
+  settings.samples = {};
+  settings.keep_depth = true;
+  std::optional<raster::Framebuffer> framebuffer;
+  pipeline::Statistics unused;
+  draw({settings, nullptr, {}, false}, nullptr, framebuffer, unused);
+  const View view = choose_view(scene, pose_scene(scene, settings, caches), settings);
+  return distance_at(view, framebuffer->depth()[framebuffer->index(place.x, settings.height - 1 - place.y)]);
+}
+
+Lens SceneRenderer::Implementation::lens_of(const RenderSettings& settings) {
+  if (!settings.samples.has_lens()) return {};
+  const double seen = settings.samples.focus_pixel ? focus_from_pixel(settings) : 0.0;
+  return choose_lens(scene, pose_scene(scene, settings, caches), settings, seen, warnings);
+}
+
 SceneRenderer::SceneRenderer(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
 SceneRenderer::~SceneRenderer() = default;
 
@@ -292,26 +345,25 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
                                           FrameObserver* observer) {
   Implementation& self = *implementation_;
   self.warnings.clear();
-  const SceneFrame frame = prepare_frame(self.scene, settings, self.caches, self.warnings);
-  const std::optional<Backing> backing = backing_of(frame);
-  raster::Framebuffer framebuffer(frame_options(settings, backing.has_value()));
   pipeline::Statistics work;
-  std::map<int, raster::Texture> node_maps;
-  if (settings.dynamic_environment) node_maps = self.environments(settings, frame, work);
-  ReflectionMaps node_reflections;
-  const Pass pass{frame.view, frame.aspect, frame.backdrop_in_view, settings.overlays, kNone, &node_maps,
-                  observer,   backing};
-  PassRenderer renderer(settings, frame, pass, self.caches.reflections, node_reflections, framebuffer);
-  const pipeline::Statistics own = renderer.run();
-  add(work, own);
-  if (renderer.is_drawn()) {
-    finish_colors(framebuffer, backing, settings);
-    self.warn(frame, settings, own, renderer.slices());
+  std::optional<raster::Framebuffer> framebuffer;
+  if (observer != nullptr) {
+    self.draw({settings}, observer, framebuffer, work);
+  } else {
+    for_each_go(settings, self.lens_of(settings),
+                [&](const SampleGo& go) { self.draw(go, nullptr, framebuffer, work); });
   }
   work.displaced_vertices = frame.list.displaced_vertices;
   work.displaced_triangles = frame.list.displaced_triangles;
   if (statistics != nullptr) *statistics = work;
-  return framebuffer;
+  return std::move(*framebuffer);
+}
+
+RenderSettings at_moment(const RenderSettings& settings, double frames) {
+  RenderSettings then = settings;
+  then.time_s += frames / settings.frames_per_second;
+  then.camera.azimuth_deg += static_cast<float>(static_cast<double>(settings.turn_a_frame_deg) * frames);
+  return then;
 }
 
 View SceneRenderer::view(const RenderSettings& settings) const {

@@ -11,6 +11,7 @@
 #include "pipeline/pictures/environment.h"
 #include "pipeline/renderer.h"
 #include "pipeline/scene/animate.h"
+#include "pipeline/scene/sample_choice.h"
 #include "pipeline/scene/scene.h"
 
 namespace barrido::scene {
@@ -135,13 +136,20 @@ struct RenderSettings {
   std::string variant;      ///< Name of a variant of materials; empty: none.
   int animation = kNone;
   double time_s = 0.0;
-  bool keep_float = false;  ///< Keep float colours for exr and hdr.
-  bool keep_depth = false;  ///< Keep the depth for reading; 1 where nothing was drawn.
+  SampleChoice samples;                           ///< What a pixel is an average over.
+  raster::SampleReport* sample_report = nullptr;  ///< Filled by adaptive sampling unless null.
+  double frames_per_second = 30.0;                ///< What the shutter's times are counted in.
+  float turn_a_frame_deg = 0.0f;  ///< The eye goes so far round the focal point while a frame lasts.
+  bool keep_float = false;        ///< Keep float colours for exr and hdr.
+  bool keep_depth = false;        ///< Keep the depth for reading; 1 where nothing was drawn.
   bool visibility_first = true;
   raster::StageProfile* profile = nullptr;  ///< Where the time goes is added here; null: no clock is read.
 };
 
 class FrameObserver;
+
+/// The moment of a frame, `frames` frames after its own: of the animation, and of a turntable.
+RenderSettings at_moment(const RenderSettings& settings, double frames);
 
 /// A scene made ready for drawing many frames: textures with their mip chains are built once and kept.
 class SceneRenderer {
@@ -151,7 +159,8 @@ class SceneRenderer {
   ~SceneRenderer();
 
   /// Draws one frame into a new framebuffer. `observer`, unless null, is shown the frame first and may say
-  /// that it need not be drawn; the framebuffer is empty then.
+  /// that it need not be drawn; the framebuffer is empty then. It is shown the frame of one sample, at the
+  /// pixels' centres, whatever SampleChoice says; and that is drawn.
   raster::Framebuffer render(const RenderSettings& settings, pipeline::Statistics* statistics = nullptr,
                              FrameObserver* observer = nullptr);
 

@@ -141,8 +141,8 @@ class TriangleBlocks {
     const GroupD d;
     const hn::Rebind<std::int32_t, GroupD> di;
     // Multiples of 1/256 that are not large: exact in any order.
-    const auto to_x = hn::Set(d, (tile_.x + 0.5) - paint.planes.x0);
-    const auto to_y = hn::Set(d, (tile_.y + row + 0.5) - paint.planes.y0);
+    const auto to_x = hn::Set(d, tile_.pixel_x(0) - paint.planes.x0);
+    const auto to_y = hn::Set(d, tile_.pixel_y(row) - paint.planes.y0);
     for (int i = 0; i < kGroupRows; i += static_cast<int>(hn::Lanes(d))) {
       const auto dx = hn::Add(hn::PromoteTo(d, hn::Load(di, first_ + i)), to_x);
       const auto dy = hn::Add(lanes_from(d, static_cast<double>(i)), to_y);

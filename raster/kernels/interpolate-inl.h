@@ -17,6 +17,7 @@
 #include "raster/kernels/planes-inl.h"
 #include "raster/kernels/simd_math-inl.h"
 #include "raster/tiles/tile.h"
+#include "raster/tiles/tile_places.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace barrido::raster::HWY_NAMESPACE {
@@ -79,6 +80,41 @@ HWY_INLINE void interpolate_depth(const InterpolatedSpan& span, int x, int count
     const auto z = hn::Add(hn::Set(d, span.row[kRecordDepth]),
                            hn::Mul(hn::Set(d, span.planes->slope_x[kRecordDepth]), k));
     hn::StoreU(clamp01(z), d, batch.depth + at + i);
+  }
+}
+
+/// A quantity of a vector of pixels from column x on, each at its place.
+template <class D>
+HWY_INLINE hn::Vec<D> placed_quantity(D d, const InterpolatedSpan& span, const TilePlaces& places, int row,
+                                      int x, int quantity) {
+  const int at = row * kTileWidth + x;
+  const auto k = hn::Add(lanes_from(d, static_cast<float>(x - span.anchor)), hn::LoadU(d, places.x + at));
+  const auto along_x =
+      hn::Add(hn::Set(d, span.row[quantity]), hn::Mul(hn::Set(d, span.planes->slope_x[quantity]), k));
+  return hn::Add(along_x, hn::Mul(hn::Set(d, span.planes->slope_y[quantity]), hn::LoadU(d, places.y + at)));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> placed_depth(D d, const InterpolatedSpan& span, const TilePlaces& places, int row,
+                                   int x) {
+  return placed_quantity(d, span, places, row, x, kRecordDepth);
+}
+
+/// Varyings and depths of `count` pixels from column x on, each at its place.
+HWY_INLINE void interpolate_placed(const InterpolatedSpan& span, const VaryingList& varyings,
+                                   const TilePlaces& places, int row, int x, int count, FragmentBatch& batch,
+                                   int at) {
+  const hn::ScalableTag<float> d;
+  const int perspective_from = span.constant_q ? varyings.count : varyings.affine_count;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto value = [&](int quantity)
+                           HWY_ATTR { return placed_quantity(d, span, places, row, x + i, quantity); };
+    hn::StoreU(clamp01(value(kRecordDepth)), d, batch.depth + at + i);
+    const auto w = inverse_q(value(kRecordQ));
+    for (int v = 0; v < varyings.count; ++v) {
+      const auto plain = value(kRecordVaryings + v);
+      hn::StoreU(v < perspective_from ? plain : hn::Mul(plain, w), d, batch.varying[v] + at + i);
+    }
   }
 }
 

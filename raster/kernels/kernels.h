@@ -94,6 +94,16 @@ struct FramePixels {
 /// Copies the tile's first `width` columns and `height` rows into the frame, past the caches.
 void store_tile(const TilePixels& tile, int width, int height, const FramePixels& frame);
 
+/// Adds a tile that was drawn for one sample to the sums (docs/arithmetic.md, "Samples"). `weights`: null, or
+/// one a pixel in place of `weight`.
+void add_sample(const TileSurface& tile, const TileJob& job, const SampleSettings& settings, float weight,
+                const float* weights, const DisplayTransform& display, TileSums& sums);
+
+/// The sums become pixels of the tile: in its colours as floats where its format has them; in its bytes where
+/// they are what is shown already; and its depth.
+void resolve_samples(const TileSums& sums, const TileJob& job, const SampleSettings& settings,
+                     TileSurface& tile);
+
 /// What is shown of a row of float pixels (docs/arithmetic.md, "Display"), to `out` in whole vectors.
 void display_row(const PixelRow& pixels, const DisplayTransform& display, std::uint32_t* out);
 

@@ -150,10 +150,9 @@ HWY_INLINE void evaluate_planes(const double* base, const double* ddx, const dou
   }
 }
 
-/// Values of all quantities at the centre of window pixel (x, y).
-HWY_INLINE void evaluate_row(const Planes& planes, int x, int y, float* row) {
-  evaluate_planes(planes.base, planes.ddx, planes.ddy, planes.count, (x + 0.5) - planes.x0,
-                  (y + 0.5) - planes.y0, row);
+/// Values of all quantities at a place in the window, in pixels.
+HWY_INLINE void evaluate_row(const Planes& planes, double x, double y, float* row) {
+  evaluate_planes(planes.base, planes.ddx, planes.ddy, planes.count, x - planes.x0, y - planes.y0, row);
 }
 
 }  // namespace barrido::raster::HWY_NAMESPACE

@@ -46,7 +46,9 @@ HWY_INLINE void flat_color(const FragmentState& state, const FlatColors& flat, f
 /// is to be drawn of it. Fragments may stay in the batch until flush().
 class SpanShader {
  public:
-  SpanShader(TileWorkspace& workspace, const TileArea& tile) : workspace_(workspace), tile_(tile) {}
+  /// `places`: null where all pixels are sampled at the same place.
+  SpanShader(TileWorkspace& workspace, const TileArea& tile, const TilePlaces* places = nullptr)
+      : workspace_(workspace), tile_(tile), places_(places) {}
 
   void begin_chunk(const BinnedChunk& binned) {
     chunk_ = &binned.chunk();
@@ -73,7 +75,7 @@ class SpanShader {
   /// The span of a row, columns [first, end) before the scissor: interpolation is anchored at `first`.
   void start_span(int row, int first, int end) {
     if (!is_set_up_) set_up();
-    evaluate_row(planes_, tile_.x + first, tile_.y + row, span_.row);
+    evaluate_row(planes_, tile_.pixel_x(first), tile_.pixel_y(row), span_.row);
     span_.anchor = first;
     span_.last = end - 1;
   }
@@ -113,6 +115,23 @@ class SpanShader {
     count_shaded(Loop::spans, passed);
   }
 
+  /// Those of the row's pixels, all of one span with places of their own, that pass the depth test.
+  void shade_placed(int row, const PixelBits& covered, const ScissorBox& scissor) {
+    workspace_.statistics.spans += 1;
+    workspace_.statistics.fragments_covered += static_cast<std::uint64_t>(covered.count());
+    PixelBits seen = covered & PixelBits::of(scissor.x_begin, scissor.x_end);
+    if (seen.none() || row < scissor.y_begin || row >= scissor.y_end) return;
+    start_span(row, covered.first(), covered.last() + 1);
+    if (key_->depth != DepthTest::off) seen = test_placed_depth(row, seen);
+    for (int begin = 0; !(seen = seen & PixelBits::of(begin, kTileWidth)).none();) {
+      const int first = seen.first();
+      int end = first + 1;
+      while (end < kTileWidth && seen.has(end)) ++end;
+      append(row, first, end);
+      begin = end;
+    }
+  }
+
   const AnyDepth& any_depth() const { return any_depth_; }
 
   /// All of a small triangle at once, its depth test included.
@@ -144,6 +163,24 @@ class SpanShader {
   }
 
  private:
+  PixelBits test_placed_depth(int row, const PixelBits& covered) {
+    const hn::ScalableTag<float> d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    float* stored = workspace_.surface.depth + row * kTileWidth;
+    PixelBits passed;
+    for (int x = covered.first() & ~(lanes - 1); x < kTileWidth; x += lanes) {
+      const unsigned here = covered.at(x, lanes);
+      if (here == 0) continue;
+      const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(here >> 8)};
+      auto mask = hn::LoadMaskBits(d, bytes);
+      const auto z = any_depth_.bounded(placed_depth(d, span_, *places_, row, x));
+      mask = hn::And(mask, any_depth_.passes(z, hn::Load(d, stored + x)));
+      hn::BlendedStore(z, any_depth_.written(mask), d, stored + x);
+      passed.put(x, mask_bits(d, mask));
+    }
+    return passed;
+  }
+
   BlockPaint block_paint() {
     if (!is_set_up_) set_up();
     const int stride = record_stride(chunk_->state->varyings.count);
@@ -272,7 +309,11 @@ class SpanShader {
     FragmentBatch& batch = workspace_.batch;
     while (begin < end) {
       const int count = std::min(end - begin, kBatchCapacity - batch.count);
-      interpolate_varyings(span_, batch.state->varyings, begin, count, batch, batch.count);
+      if (places_ == nullptr) {
+        interpolate_varyings(span_, batch.state->varyings, begin, count, batch, batch.count);
+      } else {
+        interpolate_placed(span_, batch.state->varyings, *places_, row, begin, count, batch, batch.count);
+      }
       append_interpolated(row, begin, begin + count);
       begin += count;
     }
@@ -283,7 +324,7 @@ class SpanShader {
     FragmentBatch& batch = workspace_.batch;
     const int at = batch.count;
     const int count = end - begin;
-    if (key_->late_depth) interpolate_depth(span_, begin, count, batch, at);
+    if (key_->late_depth && places_ == nullptr) interpolate_depth(span_, begin, count, batch, at);
     if (key_->lod_units != 0) append_lod(begin, count);
     if (key_->fills_primary || key_->fills_secondary) {
       fill_flat(flat_colors(*chunk_, *primitive_), *key_, batch.state->clamp_colors, count, batch, at);
@@ -305,6 +346,7 @@ class SpanShader {
 
   TileWorkspace& workspace_;
   const TileArea tile_;
+  const TilePlaces* places_;
   const PrimitiveChunk* chunk_ = nullptr;
   const KernelKey* key_ = nullptr;
   const PrimitiveRecord* primitive_ = nullptr;

@@ -70,8 +70,8 @@ struct Edge {
 inline Edge make_edge(const SortedCorners& c, int lower, int upper, const TileArea& tile) {
   const double dx = static_cast<double>(c.x[upper]) - c.x[lower];
   const double dy = static_cast<double>(c.y[upper]) - c.y[lower];
-  const double x = c.x[lower] - centre_of(tile.x);
-  const double y = c.y[lower] - centre_of(tile.y);
+  const double x = c.x[lower] - tile.center_x(0);
+  const double y = c.y[lower] - tile.center_y(0);
   return {(x * dy - y * dx) - 0.5, kSubpixelUnits * dx, 1.0 / (kSubpixelUnits * dy)};
 }
 
@@ -84,7 +84,7 @@ HWY_INLINE void find_spans(const PrimitiveRecord& p, const TileArea& tile, Trian
 
   const hn::ScalableTag<double> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
-  const auto middle_row = hn::Set(d, static_cast<double>(first_centre_at(c.y[1]) - tile.y));
+  const auto middle_row = hn::Set(d, static_cast<double>(tile.first_row_at(c.y[1])));
   const auto last_row = hn::Set(d, static_cast<double>(spans.row_end - 1));
   const auto width = hn::Set(di, tile.width);
   for (int r = spans.row_begin; r < spans.row_end; r += static_cast<int>(hn::Lanes(d))) {
@@ -138,9 +138,18 @@ inline int whole_size(float size) {
   return std::max(1, static_cast<int>(std::floor(std::min(size, 1.0f * kMaxFrameSide) + 0.5f)));
 }
 
+/// Points and lines follow rules about pixels' centres: those are where the samples are, the primitive moves
+/// the other way.
+inline PrimitiveRecord about_centers(PrimitiveRecord p, const TileArea& tile) {
+  for (std::int32_t& x : p.x) x -= tile.sample.x - kSubpixelUnits / 2;
+  for (std::int32_t& y : p.y) y -= tile.sample.y - kSubpixelUnits / 2;
+  return p;
+}
+
 /// Visits the spans (row, first, end) of an n × n square point.
 template <class Visit>
-void point_spans(const PrimitiveRecord& p, float point_size, const TileArea& tile, Visit&& visit) {
+void point_spans(const PrimitiveRecord& point, float point_size, const TileArea& tile, Visit&& visit) {
+  const PrimitiveRecord p = about_centers(point, tile);
   const int size = whole_size(point_size);
   const auto lowest = [size](std::int32_t v) {
     return (size & 1) != 0 ? (v >> kSubpixelBits) - (size - 1) / 2
@@ -161,7 +170,8 @@ inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 
 /// Visits the pixels of a line as spans of one pixel, from its first end to its second.
 template <class Visit>
-void line_spans(const PrimitiveRecord& p, float line_width, const TileArea& tile, Visit&& visit) {
+void line_spans(const PrimitiveRecord& line, float line_width, const TileArea& tile, Visit&& visit) {
+  const PrimitiveRecord p = about_centers(line, tile);
   const int width = whole_size(line_width);
   const std::int64_t dx = static_cast<std::int64_t>(p.x[1]) - p.x[0];
   const std::int64_t dy = static_cast<std::int64_t>(p.y[1]) - p.y[0];

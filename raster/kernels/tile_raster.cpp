@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "raster/kernels/placed_pixels-inl.h"
 #include "raster/kernels/span_shader-inl.h"
 #include "raster/kernels/spans-inl.h"
 #include "raster/kernels/visibility-inl.h"
@@ -52,7 +53,7 @@ class TileRasterizer {
   TileRasterizer(const TileJob& job, TileWorkspace& workspace)
       : job_(job),
         workspace_(workspace),
-        tile_{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height},
+        tile_{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height, job.sample},
         shader_(workspace, tile_) {}
 
   void run() {
@@ -263,7 +264,30 @@ class TileRasterizer {
   SpanShader shader_;
 };
 
-void RasterizeTile(const TileJob& job, TileWorkspace& workspace) { TileRasterizer(job, workspace).run(); }
+/// All primitives in drawing order, for pixels that have places of their own.
+void rasterize_placed(const TileJob& job, TileWorkspace& workspace) {
+  const TileArea tile{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height, {}};
+  SpanShader shader(workspace, tile, job.places);
+  for (const BinnedChunk* binned : *job.chunks) {
+    const PrimitiveChunk& chunk = binned->chunk();
+    const ScissorBox scissor = scissor_in(chunk.state->scissor, tile);
+    shader.begin_chunk(*binned);
+    for (const std::uint16_t number : binned->primitives_in(job.column, job.row)) {
+      const PrimitiveRecord& p = chunk.primitives[number];
+      shader.begin_primitive(p);
+      placed_primitive(chunk, p, tile, *job.places, [&](int row, const PixelBits& covered) {
+        shader.shade_placed(row, covered, scissor);
+      });
+      if (binned->key().late_depth) shader.flush();
+    }
+  }
+  shader.flush();
+}
+
+void RasterizeTile(const TileJob& job, TileWorkspace& workspace) {
+  if (job.places != nullptr) return rasterize_placed(job, workspace);
+  TileRasterizer(job, workspace).run();
+}
 
 }  // namespace barrido::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

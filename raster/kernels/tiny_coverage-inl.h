@@ -53,10 +53,12 @@ class TinyCoverage {
     const auto y_min = hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]);
     const auto y_max = hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]);
     const auto zero = hn::Zero(di);
-    const auto column = hn::Max(first_centre(x_min, tile_.x), zero);
-    const auto row = hn::Max(first_centre(y_min, tile_.y), zero);
-    const auto columns = hn::Sub(hn::Min(first_centre(x_max, tile_.x), hn::Set(di, tile_.width)), column);
-    const auto rows = hn::Sub(hn::Min(first_centre(y_max, tile_.y), hn::Set(di, tile_.height)), row);
+    const auto column = hn::Max(first_centre(x_min, tile_.x, tile_.sample.x), zero);
+    const auto row = hn::Max(first_centre(y_min, tile_.y, tile_.sample.y), zero);
+    const auto columns =
+        hn::Sub(hn::Min(first_centre(x_max, tile_.x, tile_.sample.x), hn::Set(di, tile_.width)), column);
+    const auto rows =
+        hn::Sub(hn::Min(first_centre(y_max, tile_.y, tile_.sample.y), hn::Set(di, tile_.height)), row);
     const auto area = hn::Sub(hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
                               hn::Mul(hn::Sub(c.x[2], c.x[0]), hn::Sub(c.y[1], c.y[0])));
     const auto is_below = [&](VecI v, int limit) HWY_ATTR { return hn::Lt(v, hn::Set(di, limit)); };
@@ -103,9 +105,10 @@ class TinyCoverage {
     return c;
   }
 
-  /// See first_centre_at; relative to the tile.
-  static HWY_INLINE VecI first_centre(VecI v, int origin) {
-    return hn::Sub(first_centres_at(v), hn::Set(I(), origin));
+  /// See TileArea::first_column_at.
+  static HWY_INLINE VecI first_centre(VecI v, int origin, int sample) {
+    const auto moved = hn::Add(v, hn::Set(I(), TileArea::kToNextPixel - sample));
+    return hn::Sub(hn::ShiftRight<kSubpixelBits>(moved), hn::Set(I(), origin));
   }
 
   /// The edge functions of counter-clockwise triangles' sides, at least 0 inside: the rule of
@@ -127,17 +130,16 @@ class TinyCoverage {
 
   HWY_INLINE void find_pixels(const Corners& c, VecI area, const Boxes& boxes) {
     const I di;
-    const auto to_center = [&](VecI pixel, int origin) HWY_ATTR {
-      return hn::Add(hn::ShiftLeft<kSubpixelBits>(hn::Add(pixel, hn::Set(di, origin))),
-                     hn::Set(di, kSubpixelUnits / 2));
+    const auto to_center = [&](VecI pixel, int origin, int sample) HWY_ATTR {
+      return hn::Add(hn::ShiftLeft<kSubpixelBits>(hn::Add(pixel, hn::Set(di, origin))), hn::Set(di, sample));
     };
     const auto clockwise = hn::Lt(area, hn::Zero(di));
     const auto second_x = hn::IfThenElse(clockwise, c.x[2], c.x[1]);
     const auto second_y = hn::IfThenElse(clockwise, c.y[2], c.y[1]);
     const auto third_x = hn::IfThenElse(clockwise, c.x[1], c.x[2]);
     const auto third_y = hn::IfThenElse(clockwise, c.y[1], c.y[2]);
-    const auto center_x = to_center(boxes.column, tile_.x);
-    const auto center_y = to_center(boxes.row, tile_.y);
+    const auto center_x = to_center(boxes.column, tile_.x, tile_.sample.x);
+    const auto center_y = to_center(boxes.row, tile_.y, tile_.sample.y);
     Edges e[3] = {edges(c.x[0], c.y[0], second_x, second_y, center_x, center_y),
                   edges(second_x, second_y, third_x, third_y, center_x, center_y),
                   edges(third_x, third_y, c.x[0], c.y[0], center_x, center_y)};

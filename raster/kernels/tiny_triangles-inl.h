@@ -149,8 +149,8 @@ class TinyTriangles {
       const int column = t.column + __builtin_ctz(columns);
       const int row = t.row + static_cast<int>(entry >> kRowShift & (kTinySide - 1));
       Span& span = spans_[s];
-      evaluate_planes(t.base, t.ddx, t.ddy, kTinyQuantities, (tile_.x + column + 0.5) - t.x0,
-                      (tile_.y + row + 0.5) - t.y0, span.values);
+      evaluate_planes(t.base, t.ddx, t.ddy, kTinyQuantities, tile_.pixel_x(column) - t.x0,
+                      tile_.pixel_y(row) - t.y0, span.values);
       span.slope = t.slope;
       span.packed = t.packed;
       span.at = row * kTileWidth + column;

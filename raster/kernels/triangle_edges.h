@@ -12,10 +12,23 @@ namespace barrido::raster {
 
 /// The tile's place in the window; all columns and rows below are relative to it.
 struct TileArea {
-  int x;       ///< Window x of column 0.
-  int y;       ///< Window y of row 0.
-  int width;   ///< Columns that lie in the frame.
-  int height;  ///< Rows that lie in the frame.
+  int x;               ///< Window x of column 0.
+  int y;               ///< Window y of row 0.
+  int width;           ///< Columns that lie in the frame.
+  int height;          ///< Rows that lie in the frame.
+  SamplePlace sample;  ///< Where its pixels are sampled: their "centres" below.
+
+  /// The first column or row whose sample is at or after a coordinate.
+  int first_column_at(std::int32_t v) const { return ((v + kToNextPixel - sample.x) >> kSubpixelBits) - x; }
+  int first_row_at(std::int32_t v) const { return ((v + kToNextPixel - sample.y) >> kSubpixelBits) - y; }
+  /// The sample of a column or row, 1/256 pixel.
+  std::int32_t center_x(int column) const { return (x + column) * kSubpixelUnits + sample.x; }
+  std::int32_t center_y(int row) const { return (y + row) * kSubpixelUnits + sample.y; }
+  /// In pixels; exact.
+  double pixel_x(int column) const { return (x + column) + sample.x * (1.0 / kSubpixelUnits); }
+  double pixel_y(int row) const { return (y + row) + sample.y * (1.0 / kSubpixelUnits); }
+
+  static constexpr int kToNextPixel = kSubpixelUnits - 1;
 };
 
 /// Columns and rows, relative to the tile, that the scissor leaves.
@@ -63,10 +76,10 @@ inline bool triangle_box(const PrimitiveRecord& p, const TileArea& tile, Triangl
   const std::int32_t x_max = std::max(std::max(p.x[0], p.x[1]), p.x[2]);
   const std::int32_t y_min = std::min(std::min(p.y[0], p.y[1]), p.y[2]);
   const std::int32_t y_max = std::max(std::max(p.y[0], p.y[1]), p.y[2]);
-  box.column_begin = std::max(first_centre_at(x_min) - tile.x, 0);
-  box.column_end = std::min(first_centre_at(x_max) - tile.x, tile.width);
-  box.row_begin = std::max(first_centre_at(y_min) - tile.y, 0);
-  box.row_end = std::min(first_centre_at(y_max) - tile.y, tile.height);
+  box.column_begin = std::max(tile.first_column_at(x_min), 0);
+  box.column_end = std::min(tile.first_column_at(x_max), tile.width);
+  box.row_begin = std::max(tile.first_row_at(y_min), 0);
+  box.row_end = std::min(tile.first_row_at(y_max), tile.height);
   box.is_small = x_max - x_min < kSmallTriangle && y_max - y_min < kSmallTriangle;
   return box.column_begin < box.column_end && box.row_begin < box.row_end;
 }
@@ -78,8 +91,8 @@ enum class Cover : std::uint8_t { none, some, all };
 inline Cover cover_of(const PrimitiveRecord& p, bool clockwise, const TriangleBox& box,
                       const TileArea& tile) {
   const int corner[4] = {0, clockwise ? 2 : 1, clockwise ? 1 : 2, 0};
-  const std::int64_t x = centre_of(tile.x + box.column_begin);
-  const std::int64_t y = centre_of(tile.y + box.row_begin);
+  const std::int64_t x = tile.center_x(box.column_begin);
+  const std::int64_t y = tile.center_y(box.row_begin);
   const std::int64_t width = (box.column_end - box.column_begin - 1) * kSubpixelUnits;
   const std::int64_t height = (box.row_end - box.row_begin - 1) * kSubpixelUnits;
   Cover cover = Cover::all;

@@ -139,13 +139,18 @@ class VisibilityPass {
   /// than what rounding to float can take away (four roundings of half a unit in the last place, 2⁻²⁴).
   float nearest(const TilePrimitive& primitive) const {
     const DepthPlane& z = primitive.depth;
-    const double half_width = 0.5 * tile_.width;
-    const double half_height = 0.5 * (primitive.row_end - primitive.row_begin);
-    const double center = (z.base + z.ddx * (tile_.x + half_width - z.x0)) +
-                          z.ddy * (tile_.y + primitive.row_begin + half_height - z.y0);
+    // Samples may lie beside their pixels.
+    const double half_width = 0.5 * tile_.width + beside(tile_.sample.x);
+    const double half_height = 0.5 * (primitive.row_end - primitive.row_begin) + beside(tile_.sample.y);
+    const double center = (z.base + z.ddx * (tile_.x + 0.5 * tile_.width - z.x0)) +
+                          z.ddy * (tile_.y + 0.5 * (primitive.row_begin + primitive.row_end) - z.y0);
     const double reach = std::fabs(z.ddx) * half_width + std::fabs(z.ddy) * half_height;
     const double rounding = 0x1p-20 * (std::fabs(center) + 4 * reach);
     return static_cast<float>(std::max(0.0, center - reach - rounding));
+  }
+
+  static double beside(int sample) {
+    return std::max(0, std::abs(sample - kSubpixelUnits / 2) - kSubpixelUnits / 2) * (1.0 / kSubpixelUnits);
   }
 
   /// In drawing order, with each triangle's own depth test.
@@ -172,7 +177,8 @@ class VisibilityPass {
       const int begin = std::max<int>(first, primitive.scissor_begin);
       const int end = std::min<int>(primitive.end[row], primitive.scissor_end);
       if (begin >= end) continue;
-      visit(row, begin, end, SpanDepth{primitive.depth.at(tile_.x + first, tile_.y + row), slope, first});
+      visit(row, begin, end,
+            SpanDepth{primitive.depth.at(tile_.pixel_x(first), tile_.pixel_y(row)), slope, first});
     }
   }
 

@@ -10,6 +10,7 @@
 #include "raster/reference/fragment.h"
 #include "raster/reference/planes.h"
 #include "raster/reference/spans.h"
+#include "raster/tiles/samples.h"
 
 namespace barrido::raster::reference {
 
@@ -23,6 +24,9 @@ struct FragmentPlace {
   const SpanQuantities& along;
   int x;
   int y;
+  /// Where the pixel is sampled, from its centre, in pixels; only looked at where it has a place of its own.
+  bool has_place = false;
+  float offset_x = 0.0f, offset_y = 0.0f;
 };
 
 /// Columns and rows [begin, end) that are asked for, in window coordinates.
@@ -39,6 +43,15 @@ void for_each_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize 
 /// columns but touch them.
 void for_each_span(std::span<const PrimitiveChunk* const> chunks, FrameSize frame, const PixelWindow& window,
                    const std::function<void(const FragmentPlace&)>& visit);
+
+/// Where each pixel of a frame is sampled for one sample, 1/256 pixel from its lower left corner.
+using PlaceOf = std::function<SamplePlace(int x, int y)>;
+
+/// As for_each_fragment() where each pixel has a place of its own, which lies in `reach`. In a row of a tile
+/// interpolation is anchored at the first pixel whose place is covered.
+void for_each_placed_fragment(std::span<const PrimitiveChunk* const> chunks, FrameSize frame,
+                              const SampleReach& reach, const PlaceOf& place_of,
+                              const std::function<void(const FragmentPlace&)>& visit);
 
 /// The fragment: state, facing, flat colours, depth, varyings and levels of detail.
 void interpolate(const FragmentPlace& place, Fragment& fragment);

@@ -2,24 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "raster/base/memory.h"
 
 namespace barrido::raster {
 namespace {
 
-/// Bounds of triangles are exact; points and lines get a margin of their width.
-PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
+/// So many pixels samples lie away from their own, at most.
+int pixels_beside(const SampleReach& reach) {
+  const int most = std::max({std::abs(reach.least.x), std::abs(reach.least.y), reach.most.x, reach.most.y});
+  return most / kSubpixelUnits;
+}
+
+/// Bounds of triangles are exact; points and lines get a margin of their width. Of samples anywhere in reach.
+PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk, const SampleReach& reach) {
   if (chunk.topology == Topology::triangles) {
     // Not std::minmax, whose branches nobody can foresee.
     const auto least = [](const std::int32_t* v) { return std::min(std::min(v[0], v[1]), v[2]); };
     const auto most = [](const std::int32_t* v) { return std::max(std::max(v[0], v[1]), v[2]); };
-    return {first_centre_at(least(p.x)), first_centre_at(least(p.y)), first_centre_at(most(p.x)),
-            first_centre_at(most(p.y))};
+    constexpr int kCenter = kSubpixelUnits / 2;
+    return {first_centre_at(least(p.x) - (reach.most.x - kCenter)),
+            first_centre_at(least(p.y) - (reach.most.y - kCenter)),
+            first_centre_at(most(p.x) - (reach.least.x - kCenter)),
+            first_centre_at(most(p.y) - (reach.least.y - kCenter))};
   }
   const int last = chunk.topology == Topology::lines ? 1 : 0;
   const float width = chunk.topology == Topology::lines ? chunk.line_width : chunk.point_size;
-  const int margin = static_cast<int>(std::min(width, static_cast<float>(kMaxFrameSide))) / 2 + 2;
+  const int margin =
+      static_cast<int>(std::min(width, static_cast<float>(kMaxFrameSide))) / 2 + 2 + pixels_beside(reach);
   return {(std::min(p.x[0], p.x[last]) >> kSubpixelBits) - margin,
           (std::min(p.y[0], p.y[last]) >> kSubpixelBits) - margin,
           (std::max(p.x[0], p.x[last]) >> kSubpixelBits) + margin + 1,
@@ -27,8 +38,9 @@ PixelBox unpixel_box(const PrimitiveRecord& p, const PrimitiveChunk& chunk) {
 }
 
 /// Pixels whose centres the primitive's bounding box holds, cut to the frame.
-PixelBox pixel_box(const PrimitiveRecord& primitive, const PrimitiveChunk& chunk, const TileGrid& grid) {
-  PixelBox box = unpixel_box(primitive, chunk);
+PixelBox pixel_box(const PrimitiveRecord& primitive, const PrimitiveChunk& chunk, const TileGrid& grid,
+                   const SampleReach& reach) {
+  PixelBox box = unpixel_box(primitive, chunk, reach);
   box.x_begin = std::max(box.x_begin, 0);
   box.y_begin = std::max(box.y_begin, 0);
   box.x_end = std::min(box.x_end, grid.frame_width);
@@ -46,13 +58,14 @@ PixelBox tiles_of(const PixelBox& pixels) {
 
 }  // namespace
 
-BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface)
-    : chunk_(std::move(chunk)), key_(make_kernel_key(*chunk_.state, surface)) {
+BinnedChunk::BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface,
+                         const SampleReach& reach, bool places)
+    : chunk_(std::move(chunk)), key_(make_kernel_key(*chunk_.state, surface, places)) {
   const std::size_t count = chunk_.primitives.size();
   UnclearedArray<PixelBox> boxes(count);
   tiles_ = {grid.columns, grid.rows, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
-    const PixelBox pixels = pixel_box(chunk_.primitives[i], chunk_, grid);
+    const PixelBox pixels = pixel_box(chunk_.primitives[i], chunk_, grid, reach);
     boxes[i] = pixels.empty() ? PixelBox{0, 0, 0, 0} : tiles_of(pixels);
     if (pixels.empty()) continue;
     tiles_.x_begin = std::min(tiles_.x_begin, boxes[i].x_begin);

@@ -9,6 +9,7 @@
 
 #include "raster/fragments/primitive.h"
 #include "raster/tiles/kernel_key.h"
+#include "raster/tiles/samples.h"
 
 namespace barrido::raster {
 
@@ -43,8 +44,10 @@ struct PixelBox {
 /// A chunk with, for each tile of the box of tiles it touches, the numbers of its primitives in order.
 class BinnedChunk {
  public:
-  /// For a frame of this format.
-  BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface);
+  /// For a frame of this format whose pixels are sampled around their centres so far, some at places of their
+  /// own.
+  BinnedChunk(PrimitiveChunk&& chunk, const TileGrid& grid, ColorFormat surface,
+              const SampleReach& reach = {}, bool places = false);
 
   const PrimitiveChunk& chunk() const { return chunk_; }
   /// Which loops draw it.

@@ -69,11 +69,11 @@ SmallTriangles small_triangles(const FragmentState& state, const KernelKey& key)
 
 }  // namespace
 
-KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface) {
+KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface, bool by_batches) {
   KernelKey key;
   key.surface = surface;
   key.blending = blending_of(state.blend);
-  key.colors = color_way(state, surface, key.blending);
+  key.colors = by_batches ? ColorWay::batch : color_way(state, surface, key.blending);
   key.depth = depth_test(state);
   key.late_depth = state.alpha_test.enabled && state.depth.test && state.depth.write;
   key.hides = is_opaque(state);

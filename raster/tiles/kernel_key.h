@@ -94,8 +94,8 @@ inline constexpr KernelKeyFact kKernelKeyFacts[] = {
 /// group of eight.
 inline constexpr int kTinyQuantities = 8;
 
-/// The key of a draw into a frame of this format.
-KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface);
+/// The key of a draw into a frame of this format. `by_batches`: never straight to the surface.
+KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface, bool by_batches = false);
 
 /// Whether the unit's filters depend on the level of detail.
 inline bool needs_lod(const TextureUnit& unit) {

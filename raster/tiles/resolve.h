@@ -2,8 +2,8 @@
 // drawing. Here is what the steps are set to; raster/kernels/resolve.cpp computes them for a row of pixels,
 // raster/reference/resolve.h for one.
 //
-//   samples → pixels    one sample a pixel, at its centre: they are the pixels. A filter over several would
-//                       stand here, before a PixelRow.
+//   samples → pixels    one sample a pixel, at its centre: they are the pixels. Of several (samples.h) the
+//                       sums of their light, each times its weight, are divided once.
 //   pixels → bytes      exposure, tone reproduction, encoding, rounding; alpha is only rounded.
 //
 // 8-bit frames have nothing to resolve: their samples are bytes already.

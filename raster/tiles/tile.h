@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "raster/base/stage_profile.h"
@@ -10,6 +11,8 @@
 #include "raster/tiles/binning.h"
 #include "raster/tiles/framebuffer.h"
 #include "raster/tiles/raster_statistics.h"
+#include "raster/tiles/samples.h"
+#include "raster/tiles/tile_places.h"
 
 namespace barrido::raster {
 
@@ -27,10 +30,8 @@ struct TileSurface {
 struct DepthPlane {
   double x0, y0, base, ddx, ddy;
 
-  /// At the centre of window pixel (x, y), rounded once.
-  float at(int x, int y) const {
-    return static_cast<float>((base + ddx * ((x + 0.5) - x0)) + ddy * ((y + 0.5) - y0));
-  }
+  /// At a place in the window, rounded once.
+  float at(double x, double y) const { return static_cast<float>((base + ddx * (x - x0)) + ddy * (y - y0)); }
 };
 
 /// A triangle of the draws whose visibility is being resolved, in one tile. Row r, relative to the tile,
@@ -87,8 +88,18 @@ struct LoopCounts {
 /// 1/w of a fragment counts as at least this.
 inline constexpr float kSmallestQ = 1e-30f;
 
+/// Sums of a tile's samples: of colours multiplied by alpha times weights, the fourth of alpha times weights.
+struct TileSums {
+  alignas(64) float color[4][kTilePixels + kTilePadding];
+  alignas(64) float weight[kTilePixels + kTilePadding];  ///< Where weights differ from pixel to pixel.
+  alignas(64) float depth[kTilePixels + kTilePadding];   ///< Of the nearest.
+};
+
 struct TileWorkspace {
   TileSurface surface;
+  // Only where pixels have more than one sample, or places of their own.
+  std::unique_ptr<TileSums> sums;
+  std::unique_ptr<TilePlaces> places;
   FragmentBatch batch;
   const KernelKey* key = nullptr;  ///< Of the batch's fragments.
   LodGroups lod_groups[kMaxTextureUnits];
@@ -115,6 +126,9 @@ struct TileJob {
   const std::vector<const BinnedChunk*>* chunks =
       nullptr;  ///< In drawing order; only those that touch the tile.
   bool visibility_first = true;
+  SamplePlace sample;  ///< Where pixels are sampled,
+  const TilePlaces* places =
+      nullptr;  ///< … unless null, each at a place of its own. Chunks must go by batches.
 };
 
 }  // namespace barrido::raster

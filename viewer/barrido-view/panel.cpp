@@ -38,6 +38,7 @@ constexpr Part kParts[] = {
     {"Shading", true},
     {"Lights", true, draw_lights},
     {"Textures", true, draw_textures},
+    {"Samples", false, draw_samples},
     {"Compare A | B", false, draw_compare},
     {"Material", false, draw_material},
     {"Environment", false, draw_environment},

@@ -25,6 +25,7 @@ bool draw_camera(view::Viewer& viewer);
 bool draw_fog(view::Viewer& viewer);
 bool draw_background(view::Viewer& viewer);
 bool draw_animation(view::Viewer& viewer);
+bool draw_samples(view::Viewer& viewer);
 bool draw_compare(view::Viewer& viewer);
 
 /// A list of the names of an enumeration.

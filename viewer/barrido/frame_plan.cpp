@@ -59,7 +59,10 @@ std::vector<int> cameras_of(const RenderOptions& options, const FileFacts& file)
 }
 
 int animation_of(const RenderOptions& options, const FileFacts& file) {
-  if (!options.animation && !options.frames && !options.time_s) return scene::kNone;
+  if (!options.animation && !options.frames && !options.time_s) {
+    // What the shutter sees moves: the first animation, where there is any.
+    return options.settings.samples.shutter && file.animations > 0 ? 0 : scene::kNone;
+  }
   const int animation = options.animation.value_or(0);
   if (animation < file.animations) return animation;
   const std::string option = options.animation ? "--animation " + std::to_string(animation)
@@ -226,6 +229,8 @@ const unsigned kDrawnImages = scene::kBaseColorImage | scene::kMetallicRoughness
 scene::RenderSettings resolved_settings(const RenderOptions& options) {
   scene::RenderSettings settings = options.settings;
   settings.max_memory = options.limits.max_memory;
+  settings.frames_per_second = options.frames_per_second;
+  if (options.turntable > 1) settings.turn_a_frame_deg = 360.0f / static_cast<float>(options.turntable);
   if (options.background_shown) {
     const auto& [red, green, blue, alpha] = *options.background_shown;
     settings.background_color = glm::vec4(red, green, blue, alpha);

@@ -67,6 +67,7 @@ auto& of(auto& options) {
   if constexpr (std::is_same_v<Owner, scene::CameraChoice>) return options.settings.camera.*member;
   if constexpr (std::is_same_v<Owner, scene::TextureChoice>) return options.settings.texture.*member;
   if constexpr (std::is_same_v<Owner, scene::UserDisplacement>) return options.settings.displacement.*member;
+  if constexpr (std::is_same_v<Owner, scene::SampleChoice>) return options.settings.samples.*member;
   if constexpr (std::is_same_v<Owner, scene::Overlays>) return options.settings.overlays.*member;
   if constexpr (std::is_same_v<Owner, scene::MapOverride>) return options.settings.maps.*member;
 }

@@ -186,7 +186,9 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
 
 /// What frames take while they are drawn, encoded, and kept for a sheet; and what displacement may take.
 void RenderCall::expect_frames(std::size_t count, const scene::Scene& scene) {
-  constexpr std::uint64_t kDrawnBytes = 64, kKeptBytes = 24;
+  constexpr std::uint64_t kDrawnBytes = 64, kKeptBytes = 24, kSumBytes = 20;
+  const scene::SampleChoice& samples = settings_.samples;
+  const std::uint64_t drawn = kDrawnBytes + (samples.moves() || samples.has_lens() ? kSumBytes : 0);
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(settings_.width) * static_cast<std::uint64_t>(settings_.height);
   const std::uint64_t in_flight = frames_in_flight(frame_bytes(settings_), thread_count());
@@ -194,15 +196,16 @@ void RenderCall::expect_frames(std::size_t count, const scene::Scene& scene) {
   const std::uint64_t kept = options_.sheet ? (report_.frames.size() + count) * pixels * kKeptBytes : 0;
   const bool displaces = scene::farthest_displacement(scene, settings_.displacement) > 0.0f;
   const std::uint64_t displaced = displaces ? scene::Budget().allowed_memory() : 0;
-  limits_.expect_frames(pixels * kDrawnBytes + waiting + kept + displaced);
+  limits_.expect_frames(pixels * drawn + waiting + kept + displaced);
 }
 
 void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame) {
   // Environments from the centres of objects are up to 16 times six pictures more.
   constexpr double kPixelsOfDynamicMaps = 16.0 * 6.0 * 256.0 * 256.0;
   limits_.draw(path + ": " + frame.plan->label,
-               static_cast<double>(settings_.width) * settings_.height +
-                   (settings_.dynamic_environment ? kPixelsOfDynamicMaps : 0.0));
+               (static_cast<double>(settings_.width) * settings_.height +
+                (settings_.dynamic_environment ? kPixelsOfDynamicMaps : 0.0)) *
+                   settings_.samples.count);
   const Stopwatch watch;
   try {
     scene::RenderSettings settings = settings_of(settings_, *frame.plan);

@@ -17,6 +17,7 @@ using Camera = scene::CameraChoice;
 using scene::MapOverride;
 using scene::Overlays;
 using scene::UserDisplacement;
+using Samples = scene::SampleChoice;
 
 constexpr auto kPicture = OptionScope::picture;
 constexpr auto kDrawing = OptionScope::drawing;
@@ -101,7 +102,7 @@ constexpr RenderOption kOutputOptions[] = {
         "--view", "LIST", kDrawing,
         "In place of the picture, in false colour with a legend, what it costs and is made of: overdraw, "
         "layers, illuminations, texels, mip-level, mip-colors, texel-density, coordinates, triangles, depth, "
-        "normals or mach-bands; "
+        "normals, mach-bands, samples or slivers; "
         "several with commas between (picture is the picture itself), or all; a frame for each.",
         choices<&Options::views, 1>(), kViewEditor),
     option("--sheet", "", kOutput, "All frames of the call in one picture, each with its name.",
@@ -292,10 +293,59 @@ constexpr RenderOption kAnimationOptions[] = {
            number<&Options::time_s>(0, 1e6), by_hand("Animation")),
     option("--frames", "A:B", kOutput, "Frames A to B, both included; frame n is the moment n/FPS.",
            parsed<&Options::frames, parse_frames, frames_text>()),
-    option("--fps", "FPS", kOutput, "Frames a second for --frames, 0.001..1000. Default 30.",
+    option("--fps", "FPS", kOutput, "Frames a second for --frames and --shutter, 0.001..1000. Default 30.",
            number<&Options::frames_per_second>(0.001, 1000)),
     option("--animation", "N", kPicture, "Which animation of the file, from 0. Default 0.",
            number<&Options::animation>(0, 1'000'000), by_hand("Animation")),
+};
+
+constexpr RenderOption kSampleOptions[] = {
+    option("--samples", "N", kPicture,
+           "Samples a pixel, 1..4096; 4, 9, 16 ... are grids of 2 x 2, 3 x 3, 4 x 4 ... Default 1, at the "
+           "pixel's centre.",
+           number<&Samples::count>(1, 4096), slider("samples", {1, 64}, "%.0f")),
+    option("--sampling", "WAY", kPicture,
+           "Where they lie: uniform (default), the middles of a grid's cells, the same in every pixel; "
+           "jittered, one random place in each cell, others in every pixel; or adaptive, the corners of each "
+           "pixel, and more where they differ, whatever --samples says.",
+           choice<&Samples::sampling>(), widget("sampling")),
+    option("--adaptive-threshold", "T", kPicture,
+           "Adaptive: pixels are cut into quarters where a channel, as it is shown, differs by more than T, "
+           "0..1. Default 0.1.",
+           number<&Samples::adaptive_threshold>(0, 1), slider("threshold", {0, 0.5}, "%.2f")),
+    option("--adaptive-depth", "N", kPicture,
+           "Adaptive: how often a pixel is cut at most, 1..4: 9, 25, 81 or 289 samples. Default 2.",
+           number<&Samples::adaptive_depth>(1, 4), slider("depth", {1, 4}, "%.0f")),
+    option("--adaptive-corners-only", "", kPicture,
+           "Adaptive: lose what lies between the corners of a pixel, as the textbook's rule does.",
+           flag<&Samples::corners_only>(), widget("corners only")),
+    option("--pixel-filter", "NAME[:radius=R]", kPicture,
+           "What the samples are weighted with: box (default), triangle, cone, gaussian or mitchell; R is "
+           "the half width in pixels, 0.01..8. Default 0.5, 1, 1, 1.5, 2.",
+           parsed<&Samples::filter, parse_pixel_filter, pixel_filter_text>(), by_hand("Samples")),
+    option("--filter-what", "WHAT", kPicture,
+           "What is averaged: light (default), or display: colours as they are shown, which leaves edges of "
+           "bright things jagged.",
+           choice<&Samples::order>(), widget("averages")),
+    option("--seed", "S", kPicture, "Of all random numbers, 0..1000000000. Default 0.",
+           number<&Samples::seed>(0, 1'000'000'000), slider("seed", {0, 100}, "%.0f")),
+    option("--shutter", "OPEN,CLOSE", kPicture,
+           "Motion blur: samples are spread over this time, in frames after the frame's own (see --fps); "
+           "0,0.5 is a film camera's. Also of a turntable's turn.",
+           parsed<&Samples::shutter, parse_shutter, shutter_text>(), by_hand("Samples")),
+    option("--lens-radius", "R", kPicture,
+           "Depth of field: the lens has this radius, in the model's units. Default: a pinhole.",
+           number<&Samples::lens_radius>(0, kAnyNumber), by_hand("Samples")),
+    option("--f-stop", "N", kPicture,
+           "The same by the f-number of a lens before a picture 24 mm high, in a model whose unit is the "
+           "metre, 0.01..1000.",
+           number<&Samples::f_stop>(0.01, 1000), by_hand("Samples")),
+    option("--focus-distance", "D", kPicture,
+           "What is so far away along the line of sight is sharp. Default: the focal point.",
+           number<&Samples::focus_distance>(1e-18, kAnyNumber), by_hand("Samples")),
+    option("--focus-pixel", "X,Y", kPicture,
+           "What is seen at this pixel is sharp, counted from the upper left one.",
+           parsed<&Samples::focus_pixel, parse_pixel_place, pixel_place_text>(), by_hand("Samples")),
 };
 
 constexpr RenderOption kColourOptions[] = {
@@ -337,9 +387,9 @@ struct Section {
 };
 
 constexpr Section kSections[] = {
-    {"Output", kOutputOptions}, {"Shading", kShadingOptions},     {"Textures", kTextureOptions},
-    {"Lights", kLightOptions},  {"Camera", kCameraOptions},       {"Animation", kAnimationOptions},
-    {"Colour", kColourOptions}, {"Execution", kExecutionOptions},
+    {"Output", kOutputOptions},  {"Shading", kShadingOptions}, {"Textures", kTextureOptions},
+    {"Lights", kLightOptions},   {"Camera", kCameraOptions},   {"Animation", kAnimationOptions},
+    {"Samples", kSampleOptions}, {"Colour", kColourOptions},   {"Execution", kExecutionOptions},
 };
 
 constexpr std::size_t kCount = [] {

@@ -52,6 +52,8 @@ constexpr Exclusion kExclusions[] = {
     {"--turntable", "--frames"},
     {"--time", "--frames"},
     {"--view", "--stats"},
+    {"--lens-radius", "--f-stop"},
+    {"--focus-distance", "--focus-pixel"},
     {"--camera-view-angle", "--orthographic-height"},
 };
 
@@ -59,13 +61,20 @@ struct Need {
   std::string_view option, needs;
 };
 
-constexpr Need kNeeds[] = {{"--fps", "--frames"}, {"--sheet", "--output"}};
+constexpr Need kNeeds[] = {{"--sheet", "--output"}};
 
 void check_combinations(const Given& given) {
   for (const Exclusion& pair : kExclusions) {
     if (given(pair.one) && given(pair.other)) {
       throw UsageError(std::string(pair.one) + ": cannot be used together with " + std::string(pair.other));
     }
+  }
+  if (given("--fps") && !given("--frames") && !given("--shutter")) {
+    throw UsageError("--fps: only with --frames or --shutter");
+  }
+  for (const char* focus : {"--focus-distance", "--focus-pixel"}) {
+    if (!given(focus) || given("--lens-radius") || given("--f-stop")) continue;
+    throw UsageError(std::string(focus) + ": only with --lens-radius or --f-stop");
   }
   for (const Need& need : kNeeds) {
     if (given(need.option) && !given(need.needs)) {
@@ -83,6 +92,23 @@ void check_frame(const RenderOptions& options, const Given& given, const std::st
     if (file.empty()) throw UsageError(command + ": a FILE with an empty name");
   }
   check_combinations(given);
+  const scene::SampleChoice& samples = options.settings.samples;
+  if (samples.sampling == scene::Sampling::adaptive) {
+    if (samples.moves())
+      throw UsageError("--shutter: not with --sampling adaptive: its samples have no time");
+    if (samples.has_lens()) {
+      throw UsageError((samples.lens_radius ? std::string("--lens-radius") : std::string("--f-stop")) +
+                       ": not with --sampling adaptive: its samples have no place on a lens");
+    }
+    if (samples.filter != raster::PixelFilter{}) {
+      throw UsageError("--pixel-filter: not with --sampling adaptive, which averages over the pixel's area");
+    }
+  }
+  if (const auto& pixel = options.settings.samples.focus_pixel;
+      pixel && (pixel->x >= options.settings.width || pixel->y >= options.settings.height)) {
+    throw UsageError("--focus-pixel: lies outside of the frame of " + std::to_string(options.settings.width) +
+                     " x " + std::to_string(options.settings.height) + " pixels");
+  }
   if (options.settings.background == scene::Background::environment && options.environment_path.empty()) {
     throw UsageError("--background: 'environment': needs a picture, --environment PATH");
   }

@@ -208,6 +208,28 @@ Texts background_texts(const RenderOptions& options) {
   return {shortest(glm::vec3(r, g, b)) + (a == 1.0f ? "" : "," + shortest(a))};
 }
 
+scene::Shutter parse_shutter(std::string_view text) {
+  constexpr double kMostFrames = 1000.0;
+  const auto [open, close] = parse_tuple<2>(text, "OPEN,CLOSE", -kMostFrames, kMostFrames);
+  if (close < open) throw ValueError("the shutter closes before it opens");
+  return {open, close};
+}
+
+std::string shutter_text(const scene::Shutter& shutter) {
+  return shortest(shutter.open) + "," + shortest(shutter.close);
+}
+
+scene::PixelPlace parse_pixel_place(std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() != 2) throw ValueError("expected X,Y, two whole numbers from 0");
+  return {parse_whole(parts[0], 0, raster::kMaxFrameSide - 1),
+          parse_whole(parts[1], 0, raster::kMaxFrameSide - 1)};
+}
+
+std::string pixel_place_text(const scene::PixelPlace& place) {
+  return std::to_string(place.x) + "," + std::to_string(place.y);
+}
+
 raster::SimdTarget parse_simd(std::string_view text) {
   using raster::SimdTarget;
   std::vector<Named<SimdTarget>> targets;

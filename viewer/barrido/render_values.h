@@ -42,6 +42,10 @@ FrameRange parse_frames(std::string_view text);
 std::string frames_text(const FrameRange& frames);
 raster::SimdTarget parse_simd(std::string_view text);
 std::string simd_text(const raster::SimdTarget& target);
+scene::Shutter parse_shutter(std::string_view text);
+std::string shutter_text(const scene::Shutter& shutter);
+scene::PixelPlace parse_pixel_place(std::string_view text);
+std::string pixel_place_text(const scene::PixelPlace& place);
 // Texts stand for themselves.
 std::string stored(std::string_view text);
 std::string copied(const std::string& text);

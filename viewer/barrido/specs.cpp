@@ -84,6 +84,26 @@ std::string material_text(const Material& material) {
   return write_keys<Material>("", material, kMaterialKeys);
 }
 
+raster::PixelFilter parse_pixel_filter(std::string_view spec) {
+  using Filter = raster::PixelFilter;
+  static constexpr SpecKey<Filter> kKeys[] = {{"radius", ~0u, [](Filter& f, std::string_view text) {
+                                                 f.radius = static_cast<float>(parse_number(text, 0.01, 8.0));
+                                               }}};
+  const std::vector<std::string_view> pieces = split(spec, ':');
+  Filter filter;
+  filter.kind = parse_name<raster::PixelFilterKind>(pieces[0]);
+  filter.radius = raster::default_radius(filter.kind);
+  read_keys<Filter>(filter, std::span(pieces).subspan(1), kKeys, {"NAME:radius=R", "a pixel filter"});
+  return filter;
+}
+
+std::string pixel_filter_text(const raster::PixelFilter& filter) {
+  if (filter == raster::PixelFilter{}) return "";
+  std::string text(name_of(filter.kind));
+  if (filter.radius != raster::default_radius(filter.kind)) text += ":radius=" + shortest(filter.radius);
+  return text;
+}
+
 // The two values of a fog are told apart by their places; keys would say no more.
 FogChoice parse_fog(std::string_view spec) {
   const std::vector<std::string_view> pieces = split(spec, ':');

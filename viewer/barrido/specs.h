@@ -55,4 +55,10 @@ FogChoice parse_fog(std::string_view spec);
 /// As parse_fog reads it.
 std::string fog_text(const FogChoice& fog);
 
+/// NAME[:radius=R], R in 0.01..8. @throws ValueError.
+raster::PixelFilter parse_pixel_filter(std::string_view spec);
+
+/// As parse_pixel_filter reads it; empty for the default.
+std::string pixel_filter_text(const raster::PixelFilter& filter);
+
 }  // namespace barrido::cli

@@ -129,6 +129,7 @@ std::string figures(const ViewValues& v) {
     case StructureView::overdraw:
     case StructureView::layers:
     case StructureView::texels:
+    case StructureView::samples:
       return "maximum " + number(v.most) + ", mean " + number(v.mean) + ", sum " + grouped(v.total);
     case StructureView::illuminations:
       return "maximum " + number(v.most) + ", mean " + number(v.mean) + ", sum " + grouped(v.total) +
@@ -146,6 +147,8 @@ std::string figures(const ViewValues& v) {
     case StructureView::mach_bands:
       return "minimum " + number(v.least) + ", maximum " + number(v.most) + ", mean magnitude " +
              number(v.mean);
+    case StructureView::slivers:
+      return grouped(v.total) + (v.total == 1 ? " pixel" : " pixels");
     case StructureView::mip_colors:
     case StructureView::coordinates:
     case StructureView::normals:

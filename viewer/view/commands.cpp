@@ -81,6 +81,35 @@ void step_fog(Viewer& viewer) {
   }
 }
 
+void step_antialiasing(Viewer& viewer, int step) {
+  struct Stage {
+    scene::Sampling sampling;
+    int count;
+  };
+  using scene::Sampling;
+  constexpr Stage kStages[] = {{Sampling::uniform, 1},  {Sampling::uniform, 4},  {Sampling::uniform, 9},
+                               {Sampling::uniform, 16}, {Sampling::uniform, 64}, {Sampling::jittered, 16},
+                               {Sampling::adaptive, 1}};
+  constexpr int kCount = static_cast<int>(std::size(kStages));
+  scene::SampleChoice& samples = viewer.active().settings.samples;
+  int now = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const bool same = kStages[i].sampling == samples.sampling;
+    if (same && (kStages[i].count <= samples.count || samples.sampling != Sampling::uniform)) now = i;
+  }
+  const Stage& next = kStages[(now + step + kCount) % kCount];
+  samples.sampling = next.sampling;
+  samples.count = next.count;
+  // What adaptive sampling does not have is left out, as the command line would say.
+  if (next.sampling != Sampling::adaptive) return;
+  samples.filter = {};
+  samples.shutter.reset();
+  samples.lens_radius.reset();
+  samples.f_stop.reset();
+  samples.focus_distance.reset();
+  samples.focus_pixel.reset();
+}
+
 void step_environment(Viewer& viewer) {
   cli::RenderOptions& options = viewer.active();
   const std::string& given = viewer.environment_given();

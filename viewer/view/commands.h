@@ -9,6 +9,10 @@ namespace barrido::view {
 /// None, linear, exp, exp2; distances chosen so that the scene's far side fades.
 void step_fog(Viewer& viewer);
 
+/// One sample a pixel, 4, 9, 16, 64 uniform ones, 16 jittered ones, adaptive: `step` further, round and
+/// round.
+void step_antialiasing(Viewer& viewer, int step);
+
 /// None, rendered from the objects' centres, and the picture that was given, where there was one.
 void step_environment(Viewer& viewer);
 void toggle_environment_background(Viewer& viewer);

@@ -54,6 +54,8 @@ constexpr KeyBinding kShading[] = {
     {"Shading", key_of('E'), kPlain, "E", "edges over the surfaces", step("--edges")},
     {"Shading", key_of('W'), kPlain, "W", "wireframe", step("--wireframe")},
     {"Shading", key_of('N'), kPlain, "N", "normals", step("--normals")},
+    {"Shading", key_of('A'), kPlain, "A", "antialiasing: 1, 4, 9, 16, 64 samples, 16 jittered, adaptive",
+     [](Viewer& v) { step_antialiasing(v, 1); }},
     {"Shading", key_of('G'), kPlain, "G", "fog: none, linear, exp, exp2", step_fog},
 };
 
@@ -99,7 +101,7 @@ constexpr KeyBinding kCompare[] = {
     {"Compare", key_of('V'), kShift, "Shift+V", "previous", step("--view", -1)},
     {"Compare", key_of('P'), kPlain, "P", "inspector: why the pixel at the pointer looks as it does",
      [](Viewer& v) { v.display.inspector = !v.display.inspector; }},
-    {"Compare", key_of('A'), kPlain, "A", "keys change the other side",
+    {"Compare", key_of('A'), kShift, "Shift+A", "keys change the other side",
      [](Viewer& v) {
        if (v.display.split) v.set_active_side(1 - v.active_side());
      }},

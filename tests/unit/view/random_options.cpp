@@ -167,6 +167,28 @@ void RandomOptions::set_material(scene::MaterialOverride& material) {
   if (coin()) material.exact.shininess = share() * 1e4f;
 }
 
+void RandomOptions::set_samples(scene::RenderSettings& s) {
+  scene::SampleChoice& samples = s.samples;
+  samples.count = 1 + whole(4096);
+  samples.sampling = static_cast<scene::Sampling>(whole(3));
+  samples.order = static_cast<raster::FilterOrder>(whole(2));
+  samples.seed = whole(1'000'000'000);
+  samples.adaptive_threshold = share();
+  samples.adaptive_depth = 1 + whole(4);
+  samples.corners_only = coin();
+  // The samples of adaptive sampling have no filter, time and lens.
+  if (samples.sampling == scene::Sampling::adaptive) return;
+  if (coin()) samples.filter.kind = static_cast<raster::PixelFilterKind>(whole(5));
+  samples.filter.radius = coin() ? raster::default_radius(samples.filter.kind) : 0.01f + share() * 7.9f;
+  if (coin()) samples.shutter = scene::Shutter{-share(), share()};
+  const int lens = whole(3);
+  if (lens == 1) samples.lens_radius = share();
+  if (lens == 2) samples.f_stop = 0.01f + share();
+  const int focus = lens == 0 ? 0 : whole(3);
+  if (focus == 1) samples.focus_distance = share() + 1e-3f;
+  if (focus == 2) samples.focus_pixel = scene::PixelPlace{whole(s.width), whole(s.height)};
+}
+
 cli::RenderOptions RandomOptions::next() {
   cli::RenderOptions options;
   scene::RenderSettings& s = options.settings;
@@ -175,6 +197,7 @@ cli::RenderOptions RandomOptions::next() {
   options.shadings = {static_cast<pipeline::ShadeModel>(whole(4))};
   if (coin()) options.views = {static_cast<inspect::StructureView>(whole(inspect::kStructureViewCount))};
   set_looks(s);
+  if (coin()) set_samples(s);
   set_camera(options);
   if (coin()) set_material(s.material);
   if (coin()) set_texture(options);
@@ -258,6 +281,7 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(settings.color_management);
   EXPECT_SAME(settings.exposure_ev);
   EXPECT_SAME(settings.tone_map);
+  EXPECT_SAME(settings.samples);
 #undef EXPECT_SAME
   ASSERT_EQ(a.settings.lights.size(), b.settings.lights.size());
   for (std::size_t i = 0; i < a.settings.lights.size(); ++i) {

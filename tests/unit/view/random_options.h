@@ -27,6 +27,7 @@ class RandomOptions {
   void set_camera(cli::RenderOptions& options);
   void set_looks(scene::RenderSettings& settings);
   void set_texture(cli::RenderOptions& options);
+  void set_samples(scene::RenderSettings& s);
   void set_material(scene::MaterialOverride& material);
 
   std::mt19937 engine_;

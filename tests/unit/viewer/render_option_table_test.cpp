@@ -55,6 +55,9 @@ class RandomValues {
     if (form == "R,G,B[,A]") return {vector({0, 1}), vector({0, 1}) + ",0.25", "environment"};
     if (form == "AXIS") return {"+Z", "-X", vector({}), vector({})};
     if (form == "W,H") return {"1,16384", "320,200"};
+    if (form == "OPEN,CLOSE") return {"0,0.5", "-1.25,2"};
+    if (form == "X,Y") return {"0,3", "16383,16383"};
+    if (form == "NAME[:radius=R]") return {"gaussian", "box:radius=" + shortest_double(between({0.6, 8}))};
     if (form == "A:B") return {"0:0", "3:999999"};
     if (form == "LIST") return {"1,7,3", "2"};
     if (form == "OUT" || form == "FILE" || form == "PATH") return {"a folder/it's $here", "dynamic"};
