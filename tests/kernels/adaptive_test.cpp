@@ -11,6 +11,7 @@
 #include "random_scene.h"
 #include "raster/base/simd_target.h"
 #include "raster/rasterizer.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster::testing {
 namespace {
@@ -109,7 +110,8 @@ TEST(Adaptive, ThinLinesAreNeverLost) {
     const auto place = [&](float most) { return static_cast<double>(random.number(1.5f, most - 1.5f)); };
     const double a[2] = {place(kWidth), place(kHeight)};
     double b[2] = {place(kWidth), place(kHeight)};
-    if (random.chance(20)) b[random.between(0, 1)] = a[random.between(0, 1)];
+    const int axis = random.between(0, 1);
+    if (random.chance(20)) b[axis] = a[axis];
     if (std::hypot(b[0] - a[0], b[1] - a[1]) < 2.0) continue;
     const double width = static_cast<double>(random.number(0.05f, 1.2f));
     const PrimitiveChunk chunk = line_chunk(state, a, b, width);
