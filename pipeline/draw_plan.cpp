@@ -61,6 +61,7 @@ raster::FragmentState fragment_state(const State& state) {
   f.depth = state.depth;
   f.polygon_offset = state.polygon_offset;
   f.blend = state.blend;
+  f.sorted = state.sorted;
   f.color_mask = state.color_mask;
   return f;
 }

@@ -154,6 +154,9 @@ struct State {
   raster::DepthState depth;
   raster::PolygonOffset polygon_offset;
   raster::BlendState blend;
+  /// Fragments that pass their tests as they are drawn wait for all that follow them in their pixel and are
+  /// also `sorted`; then they are blended from the farthest to the nearest.
+  bool sorted = false;
   std::array<bool, 4> color_mask{true, true, true, true};
   raster::Scissor scissor;
 };

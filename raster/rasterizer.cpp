@@ -37,6 +37,8 @@ void add(RasterStatistics& sum, const RasterStatistics& part) {
   sum.mapped += part.mapped;
   sum.patterns += part.patterns;
   sum.noise += part.noise;
+  sum.sorted_fragments += part.sorted_fragments;
+  sum.crowded_fragments += part.crowded_fragments;
 }
 
 }  // namespace

@@ -154,7 +154,11 @@ void shade_batch(TileWorkspace& workspace) {
     stage.kind->vector(stage, workspace);
   }
   workspace.clock.switch_to(Stage::write);
-  write_fragments(*workspace.key, batch, workspace.surface);
+  if (workspace.key->sorted) {
+    keep_layers(workspace);
+  } else {
+    write_fragments(*workspace.key, batch, workspace.surface);
+  }
   workspace.clock.switch_to(before);
   const auto count = static_cast<std::uint64_t>(batch.count);
   workspace.statistics.interpolations += count * quantities_a_fragment(state.varyings);

@@ -168,6 +168,24 @@ Content read_regular_file(const fs::path& path, std::uint64_t max_bytes, Budget*
   return content;
 }
 
+Content read_standard_input(std::uint64_t max_bytes, Budget* budget, Budget::Kind kind) {
+  constexpr std::size_t kLeastRoom = std::size_t{1} << 16;
+  Content content{ByteBlock::allocate(kLeastRoom), {}};
+  std::size_t size = 0;
+  for (;;) {
+    if (size == content.block.size()) content.block.resize(2 * size);
+    const ssize_t got = ::read(STDIN_FILENO, content.block.writable() + size, content.block.size() - size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return {{}, std::generic_category().message(errno)};
+    if (got == 0) break;
+    size += static_cast<std::size_t>(got);
+    if (size > max_bytes) return {{}, "at most " + std::to_string(max_bytes) + " bytes are read"};
+    if (budget != nullptr) budget->add_file(static_cast<std::uint64_t>(got), kind, "<stdin>");
+  }
+  content.block.resize(size);
+  return content;
+}
+
 ResolvedPath resolve_uri(const fs::path& folder, std::string_view uri) {
   const std::string decoded = percent_decode(uri);
   if (decoded.empty()) return {{}, "the URI is empty"};

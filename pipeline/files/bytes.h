@@ -24,6 +24,8 @@ class ByteBlock {
   std::span<const std::uint8_t> bytes() const {
     return data_ ? std::span<const std::uint8_t>(*data_) : std::span<const std::uint8_t>();
   }
+  /// The first bytes stay. Only while there is no copy.
+  void resize(std::size_t size) { data_->resize(size); }
   std::uint8_t* writable() { return data_ ? data_->data() : nullptr; }
   std::size_t size() const { return bytes().size(); }
   std::shared_ptr<const void> owner() const { return data_; }
@@ -43,6 +45,10 @@ struct Content {
 /// it.
 Content read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes,
                           Budget* budget = nullptr, Budget::Kind kind = Budget::Kind::model);
+
+/// The same for all that comes from standard input.
+Content read_standard_input(std::uint64_t max_bytes, Budget* budget = nullptr,
+                            Budget::Kind kind = Budget::Kind::model);
 
 /// Either a path or the reason why there is none.
 struct ResolvedPath {

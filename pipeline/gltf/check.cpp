@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/files/error.h"
 #include "pipeline/gltf/schema.h"
+#include "pipeline/gltf/stand_ins.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -21,14 +24,14 @@ constexpr double kMaxInt = 2147483647.0;
 
 class Checker {
  public:
-  Checker(Report& report, const json& document) : report_(report) {
+  Checker(Report& report, const json& document) : report_(report), document_(document) {
     for (std::size_t i = 0; i < kCollections; ++i) {
       const json::json_pointer array(pointer_to(static_cast<Collection>(i)));
       if (document.contains(array) && document[array].is_array()) sizes_[i] = document[array].size();
     }
   }
 
-  void check_object(json& value, const Schema& schema, const Place& place) const {
+  void check_object(json& value, const Schema& schema, const Place& place) {
     if (!value.is_object()) fail(place, "must be an object");
     for (const Property& property : schema.properties) {
       if (property.drawing == Drawing::ignored) continue;
@@ -49,7 +52,7 @@ class Checker {
     report_.fail(place.text(), reason);
   }
 
-  void check_extensions(json& object, const Schema& schema, const Place& place) const {
+  void check_extensions(json& object, const Schema& schema, const Place& place) {
     const auto extensions = object.find("extensions");
     if (extensions == object.end()) return;
     const Place extensions_place(place, "extensions");
@@ -63,7 +66,7 @@ class Checker {
   }
 
   /// extras.barrido only: extras may be anything to anybody else.
-  void check_extras(json& object, const Schema& schema, const Place& place) const {
+  void check_extras(json& object, const Schema& schema, const Place& place) {
     const auto extras = object.find("extras");
     if (schema.barrido == nullptr || extras == object.end() || !extras->is_object()) return;
     const auto barrido = extras->find("barrido");
@@ -80,7 +83,7 @@ class Checker {
     }
   }
 
-  void check_value(json& value, const Property& property, const Place& place) const {
+  void check_value(json& value, const Property& property, const Place& place) {
     switch (property.kind) {
       case Kind::any:
         break;
@@ -119,7 +122,7 @@ class Checker {
     }
   }
 
-  void check_array(json& value, const Property& property, const Place& place) const {
+  void check_array(json& value, const Property& property, const Place& place) {
     if (!value.is_array()) fail(place, "must be an array");
     if (value.size() < property.min_items || value.size() > property.max_items) {
       std::string count = std::to_string(property.min_items);
@@ -142,10 +145,27 @@ class Checker {
         case Kind::numbers:
           check_number(item, property, item_place);
           break;
+        case Kind::collection:
+          check_element(item, property, i, item_place);
+          break;
         default:
           check_object(item, *property.schema, item_place);
           break;
       }
+    }
+  }
+
+  /// What is wrong with an element that nothing drawn uses is a warning.
+  void check_element(json& item, const Property& property, std::size_t index, const Place& place) {
+    try {
+      check_object(item, *property.schema, place);
+    } catch (const InputError& error) {
+      if (!stand_ins_) stand_ins_.emplace(document_);
+      std::optional<json> stand_in = stand_ins_->find(property.name, index);
+      if (!stand_in) throw;
+      report_.warn(std::string(error.what()).substr(report_.file().size() + 2) +
+                   "; nothing that is drawn uses it");
+      item = std::move(*stand_in);
     }
   }
 
@@ -207,6 +227,8 @@ class Checker {
   }
 
   Report& report_;
+  const json& document_;
+  std::optional<StandIns> stand_ins_;  ///< As the document was when first asked.
   std::array<std::size_t, kCollections> sizes_{};
 };
 
@@ -214,7 +236,7 @@ class Checker {
 
 void check_document(Report& report, json& document) {
   if (!document.is_object()) report.fail("JSON", "must be an object");
-  const Checker checker(report, document);
+  Checker checker(report, document);
   checker.check_object(document, document_schema(), Place());
 }
 

@@ -113,6 +113,7 @@ std::string shown_uri(const std::string& uri) {
 Content read_uri(const std::filesystem::path& folder, const std::string& uri, const ImportOptions& options,
                  Budget::Kind kind) {
   if (is_data_uri(uri)) return decode_data_uri(uri);  // Smaller than the text, which has been put down.
+  if (options.from_standard_input) return {{}, "a model from standard input has no folder to read it from"};
   const ResolvedPath resolved = resolve_uri(folder, uri);
   if (!resolved.problem.empty()) return {{}, resolved.problem};
   return read_regular_file(resolved.path, options.max_file_bytes, options.budget.get(), kind);
@@ -157,7 +158,9 @@ bool give_views_to_indices(json& document) {
 
 Document::Document(Report& report, const std::filesystem::path& path, const ImportOptions& options)
     : folder_(path.parent_path()), options_(options) {
-  const Content file = read_regular_file(path, options.max_file_bytes, options.budget.get());
+  const Content file = options.from_standard_input
+                           ? read_standard_input(options.max_file_bytes, options.budget.get())
+                           : read_regular_file(path, options.max_file_bytes, options.budget.get());
   if (!file.problem.empty()) report.fail("", file.problem);
   const Container container = split_container(report, file.block.bytes());
   json_ = parse_json(report, container.json, options);

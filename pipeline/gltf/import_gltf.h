@@ -24,6 +24,8 @@ enum ImageRole : unsigned {
 
 struct ImportOptions {
   bool load_images = true;
+  /// The model is read from standard input to its end, and may name no files; its path is for messages alone.
+  bool from_standard_input = false;
   unsigned image_roles = kAllImages;  ///< Images used in no other role stay empty (width 0).
   std::uint64_t max_file_bytes = std::uint64_t{1} << 31;  ///< Of any one file read.
   std::uint64_t max_vertices = 100'000'000;

@@ -6,7 +6,7 @@
 
 #include "pipeline/gltf/import_parts.h"
 #include "pipeline/gltf/values.h"
-#include "raster/base/portable_math.h"
+#include "pipeline/scene/moving_properties.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -95,16 +95,9 @@ glm::vec2 vec2_of(const tinygltf::Value& parent, const char* name, glm::vec2 oth
   return {to_float(number(item(value, 0))), to_float(number(item(value, 1)))};
 }
 
-/// KHR_texture_transform: scale, then rotation, then offset. A positive angle turns the coordinates
-/// counter-clockwise as one looks at the picture, whose v axis points down.
-glm::mat3 texture_matrix(const tinygltf::Value& transform) {
-  const glm::vec2 offset = vec2_of(transform, "offset", {0, 0});
-  const glm::vec2 scale = vec2_of(transform, "scale", {1, 1});
-  const double angle = std::fmod(number(member(transform, "rotation")), 2.0 * kPi);
-  const auto c = static_cast<float>(portable_cos(angle));
-  const auto s = static_cast<float>(portable_sin(angle));
-  return {glm::vec3(c * scale.x, -s * scale.x, 0), glm::vec3(s * scale.y, c * scale.y, 0),
-          glm::vec3(offset.x, offset.y, 1)};
+glm::mat3 matrix_of(const tinygltf::Value& transform) {
+  return texture_matrix(vec2_of(transform, "offset", {0, 0}), number(member(transform, "rotation")),
+                        vec2_of(transform, "scale", {1, 1}));
 }
 
 template <typename TextureInfo>
@@ -171,7 +164,7 @@ TextureUse texture_use(Import& import, int index, int set, const tinygltf::Exten
   if (index < 0) return use;
   const auto extension = extensions.find("KHR_texture_transform");
   if (extension != extensions.end()) {
-    use.transform = texture_matrix(extension->second);
+    use.transform = matrix_of(extension->second);
     if (const int other = whole_number(member(extension->second, "texCoord")); other >= 0) set = other;
   }
   if (import.scene.textures[static_cast<std::size_t>(index)].image == kNone) {

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "pipeline/gltf/import_parts.h"
+#include <nlohmann/json.hpp>
+
+#include "pipeline/gltf/import_pointers.h"
 
 namespace barrido::scene::gltf {
 namespace {
@@ -63,8 +65,11 @@ void check_joints(Import& import) {
 
 class AnimationImporter {
  public:
-  AnimationImporter(Import& import, const tinygltf::Animation& source, std::string place)
-      : import_(import), source_(source), place_(std::move(place)) {}
+  AnimationImporter(Import& import, std::size_t index)
+      : import_(import),
+        source_(import.document.model().animations[index]),
+        tree_(import.document.tree().at("animations")[index]),
+        place_(element("animations", index)) {}
 
   Animation run() {
     Animation animation;
@@ -73,6 +78,10 @@ class AnimationImporter {
       read_or_warn(import_, false, "this channel is left out",
                    [&] { read_channel(source_.channels[i], animation); });
     }
+    // tinygltf leaves out what has no node.
+    for (const nlohmann::json& channel : tree_.at("channels")) {
+      read_or_warn(import_, false, "this channel is left out", [&] { read_pointer(channel, animation); });
+    }
     return animation;
   }
 
@@ -80,18 +89,64 @@ class AnimationImporter {
   using Path = AnimationChannel::Path;
   using Interpolation = AnimationChannel::Interpolation;
 
+  void check_sampler(int sampler) const {
+    if (sampler >= 0 && static_cast<std::size_t>(sampler) < source_.samplers.size()) return;
+    import_.report.fail(place_ + ".channels", "refers to samplers[" + std::to_string(sampler) +
+                                                  "], but there are " +
+                                                  std::to_string(source_.samplers.size()));
+  }
+
   void read_channel(const tinygltf::AnimationChannel& channel, Animation& animation) {
-    if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= source_.samplers.size()) {
-      import_.report.fail(place_ + ".channels", "refers to samplers[" + std::to_string(channel.sampler) +
-                                                    "], but there are " +
-                                                    std::to_string(source_.samplers.size()));
-    }
+    check_sampler(channel.sampler);
     if (channel.target_node < 0) return;  // Nothing that glTF's core animates.
     AnimationChannel result;
     if (!read_target(channel, result)) return;
-    read_keys(channel, result);
-    animation.duration_s = std::max(animation.duration_s, result.times_s.back());
-    animation.channels.push_back(std::move(result));
+    add(channel.sampler, std::move(result), animation);
+  }
+
+  void add(int sampler, AnimationChannel channel, Animation& animation) {
+    read_keys(sampler, node_components(channel), channel);
+    add_duration(channel, animation);
+    animation.channels.push_back(std::move(channel));
+  }
+
+  /// A channel whose target is named by KHR_animation_pointer.
+  void read_pointer(const nlohmann::json& channel, Animation& animation) {
+    const nlohmann::json& target = channel.at("target");
+    const nlohmann::json::json_pointer place("/extensions/KHR_animation_pointer/pointer");
+    if (target.contains("node") || target.value("path", std::string()) != "pointer") return;
+    if (!target.contains(place) || !target[place].is_string()) return;
+    const int sampler = channel.at("sampler").get<int>();
+    check_sampler(sampler);
+    const std::string pointer = target[place].get<std::string>();
+    if (const auto node = node_pointer(pointer)) {
+      AnimationChannel result;
+      if (read_node_pointer(*node, result)) add(sampler, std::move(result), animation);
+      return;
+    }
+    std::optional<PropertyPointer> found = property_pointer(import_, pointer);
+    if (!found) {
+      import_.report.warn("animation of \"" + one_line(pointer, 80) + "\" is not supported");
+      return;
+    }
+    read_keys(sampler, {found->components, 1}, found->channel.keys);
+    add_duration(found->channel.keys, animation);
+    animation.properties.push_back(std::move(found->channel));
+  }
+
+  static void add_duration(const AnimationChannel& keys, Animation& animation) {
+    animation.duration_s = std::max(animation.duration_s, keys.times_s.back());
+  }
+
+  bool read_node_pointer(const NodePointer& pointer, AnimationChannel& result) const {
+    const std::size_t nodes = import_.scene.nodes.size();
+    if (static_cast<std::size_t>(pointer.node) >= nodes) {
+      import_.report.fail(place_, "KHR_animation_pointer names nodes[" + std::to_string(pointer.node) +
+                                      "], but there are " + std::to_string(nodes));
+    }
+    result.node = pointer.node;
+    result.path = pointer.path;
+    return can_move(result);
   }
 
   /// False, with a warning, when the channel moves nothing that can be moved.
@@ -108,6 +163,10 @@ class AnimationImporter {
     }
     result.node = channel.target_node;
     result.path = path->second;
+    return can_move(result);
+  }
+
+  bool can_move(const AnimationChannel& result) const {
     const Node& node = import_.scene.nodes[static_cast<std::size_t>(result.node)];
     if (result.path == Path::weights && morph_targets(node) == 0) {
       import_.report.warn("animation of morph weights of a node without morph targets is ignored");
@@ -125,8 +184,20 @@ class AnimationImporter {
     return import_.scene.meshes[static_cast<std::size_t>(node.mesh)].morph_weights.size();
   }
 
-  void read_keys(const tinygltf::AnimationChannel& channel, AnimationChannel& result) {
-    const auto index = static_cast<std::size_t>(channel.sampler);
+  /// What a key's value consists of.
+  struct KeyShape {
+    int components = 1;
+    std::size_t elements = 1;
+  };
+
+  KeyShape node_components(const AnimationChannel& result) const {
+    if (result.path == Path::rotation) return {4, 1};
+    if (result.path != Path::weights) return {3, 1};
+    return {1, morph_targets(import_.scene.nodes[static_cast<std::size_t>(result.node)])};
+  }
+
+  void read_keys(int sampler_index, const KeyShape& shape, AnimationChannel& result) {
+    const auto index = static_cast<std::size_t>(sampler_index);
     const tinygltf::AnimationSampler& sampler = source_.samplers[index];
     const std::string place = place_ + '.' + element("samplers", index);
     if (sampler.interpolation == "STEP") result.interpolation = Interpolation::step;
@@ -137,17 +208,16 @@ class AnimationImporter {
       import_.report.fail(place + ".input", "the times of an animation must ascend");
     }
 
-    const Node& node = import_.scene.nodes[static_cast<std::size_t>(result.node)];
-    const int components = result.path == Path::rotation ? 4 : result.path == Path::weights ? 1 : 3;
-    const std::size_t elements_a_key = (result.path == Path::weights ? morph_targets(node) : 1) *
-                                       (result.interpolation == Interpolation::cubic_spline ? 3 : 1);
-    import_.reader.require(sampler.output, place + ".output", {components}, kAnyFormat,
+    const std::size_t elements_a_key =
+        shape.elements * (result.interpolation == Interpolation::cubic_spline ? 3 : 1);
+    import_.reader.require(sampler.output, place + ".output", {shape.components}, kAnyFormat,
                            result.times_s.size() * elements_a_key);
     result.values = import_.reader.copy_floats(sampler.output);
   }
 
   Import& import_;
   const tinygltf::Animation& source_;
+  const nlohmann::json& tree_;  ///< The same as it stands in the file
   std::string place_;
 };
 
@@ -166,8 +236,7 @@ void import_skins(Import& import) {
 void import_animations(Import& import) {
   const auto& animations = import.document.model().animations;
   for (std::size_t i = 0; i < animations.size(); ++i) {
-    import.scene.animations.push_back(
-        AnimationImporter(import, animations[i], element("animations", i)).run());
+    import.scene.animations.push_back(AnimationImporter(import, i).run());
   }
 }
 

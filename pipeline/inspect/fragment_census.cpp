@@ -1,6 +1,7 @@
 #include "pipeline/inspect/fragment_census.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <tbb/parallel_for.h>
 
@@ -43,7 +44,7 @@ class Band {
     if (events_.shaded) events_.shaded(fragment);
     if (state.alpha_test.enabled && !passes_alpha_test(place)) return;
     if (state.depth.test && state.depth.write) stored = z;
-    if (events_.drawn) events_.drawn(fragment);
+    if (events_.drawn && is_last_yet(state, &stored - depth_.data(), z)) events_.drawn(fragment);
   }
 
  private:
@@ -55,11 +56,24 @@ class Band {
                                       test.reference);
   }
 
+  /// Of sorted fragments the nearest is drawn last, and of equally near ones the last.
+  bool is_last_yet(const raster::FragmentState& state, std::ptrdiff_t pixel, float z) {
+    if (!state.sorted && nearest_layer_.empty()) return true;
+    if (nearest_layer_.empty()) nearest_layer_.assign(depth_.size(), kNoLayer);
+    float& nearest = nearest_layer_[static_cast<std::size_t>(pixel)];
+    if (state.sorted && z > nearest) return false;
+    nearest = state.sorted ? z : kNoLayer;
+    return true;
+  }
+
+  static constexpr float kNoLayer = std::numeric_limits<float>::infinity();
+
   const scene::ObservedFrame& frame_;
   const std::vector<FrameChunk>& chunks_;
   const CensusEvents& events_;
   raster::reference::RowRange rows_;
   std::vector<float> depth_;
+  std::vector<float> nearest_layer_;  ///< Empty before the first sorted fragment.
 };
 
 }  // namespace

@@ -161,6 +161,7 @@ Json fate_json(const FragmentStory& f) {
                  {"source_factor", list(fate.source_factor)},           {"destination", list(fate.before)},
                  {"destination_factor", list(fate.destination_factor)}, {"result", list(fate.blended)}}
           : Json(nullptr);
+  if (fate.layer > 0) json["layer"] = fate.layer;
   json["before"] = list(fate.before);
   json["after"] = list(fate.after);
   return json;

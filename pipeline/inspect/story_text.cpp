@@ -18,7 +18,8 @@ std::string fate_words(const FragmentStory& f) {
              (f.state.depth.test
                   ? " " + std::string(name_of(f.state.depth.compare)) + " " + number(fate.depth_before)
                   : "") +
-             (f.state.blend.enabled ? ", blended" : "");
+             (f.state.blend.enabled ? ", blended" : "") +
+             (fate.layer > 0 ? " as layer " + std::to_string(fate.layer) + " from behind" : "");
     case Fate::covered:
       return "drawn, then covered: z " + number(f.trace.depth);
     case Fate::hidden:
@@ -38,9 +39,9 @@ void tell_list(const PixelStory& story, Lines& lines) {
     lines.add(0, "No triangle covers this pixel: it shows the background.");
     return;
   }
-  lines.add(0, story.fragments.size() == 1
-                   ? "One fragment:"
-                   : std::to_string(story.fragments.size()) + " fragments, in drawing order:");
+  lines.add(0, story.fragments.size() == 1 ? "One fragment:"
+                                           : std::to_string(story.fragments.size()) +
+                                                 " fragments, in the order in which they reach the pixel:");
   for (std::size_t i = 0; i < story.fragments.size(); ++i) {
     lines.add(1, std::to_string(i + 1) + "  " + source_words(story.fragments[i]));
     lines.add(3, fate_words(story.fragments[i]));

@@ -10,6 +10,8 @@
 
 #include "pipeline/pictures/image_io.h"
 
+struct BarridoWebpFunctions;
+
 namespace barrido::scene {
 
 bool is_png(std::span<const std::uint8_t> bytes);
@@ -41,6 +43,8 @@ Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, 
 
 /// @throws InputError naming `name`, also when there is no module.
 Image decode_webp(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
+/// The module of libwebp, for "reading WebP". @throws InputError naming `name` when there is none.
+const BarridoWebpFunctions* webp_functions(const std::string& name, const std::string& purpose);
 /// @throws InputError naming `name`, also for what is compressed.
 Image decode_ktx2(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits);
 

@@ -14,10 +14,15 @@ bool is_webp(std::span<const std::uint8_t> bytes) {
          std::equal(kWebp.begin(), kWebp.end(), bytes.begin() + 8);
 }
 
-Image decode_webp(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {
+const BarridoWebpFunctions* webp_functions(const std::string& name, const std::string& purpose) {
   static const Module module("barrido_webp.so", BARRIDO_WEBP_ENTRY, BARRIDO_WEBP_INTERFACE_VERSION);
   const auto* functions = module.functions<BarridoWebpFunctions>();
-  if (functions == nullptr) throw InputError(name, "", module.problem("reading WebP"));
+  if (functions == nullptr) throw InputError(name, "", module.problem(purpose));
+  return functions;
+}
+
+Image decode_webp(std::span<const std::uint8_t> bytes, const std::string& name, const ImageLimits& limits) {
+  const auto* functions = webp_functions(name, "reading WebP");
   const auto fail = [&](const BarridoModuleError& error) {
     throw InputError(name, "", std::string("damaged WebP: ") + error.text);
   };

@@ -160,8 +160,6 @@ glm::dmat4 exact_local_matrix(const Transform& transform) {
 /// Floats tell apart steps of 1/128 here. Beyond, translations that cancel would leave their rounding behind.
 constexpr double kFar = 65536.0;
 
-bool is_far(const glm::dvec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kFar; }
-
 bool reaches_far(const std::vector<Transform>& transforms) {
   return std::any_of(transforms.begin(), transforms.end(), [](const Transform& transform) {
     return is_far(transform.matrix ? glm::dvec3((*transform.matrix)[3]) : transform.translation);
@@ -221,6 +219,14 @@ void place_nodes(const Scene& scene, const std::vector<Transform>& transforms, P
 }
 
 }  // namespace
+
+void sample_numbers(const AnimationChannel& channel, double time_s, std::span<float> out) {
+  if (!channel.times_s.empty()) sample(channel, find_moment(channel.times_s, time_s), out);
+}
+
+bool is_far(const glm::dvec3& place) {
+  return std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) >= kFar;
+}
 
 Pose pose_at(const Scene& scene, int animation, double time_s) {
   if (animation != kNone &&

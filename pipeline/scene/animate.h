@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -18,6 +19,13 @@ struct Pose {
   std::vector<glm::dmat4> exact;                  ///< File's world from node; empty where floats will do.
   std::vector<std::vector<float>> morph_weights;  ///< One a node with a mesh; empty otherwise.
 };
+
+/// The channel's numbers at a moment, as its interpolation says, each by itself: no rotations. `out` has as
+/// many as a key has values; they stay as they are where the channel has no keys.
+void sample_numbers(const AnimationChannel& channel, double time_s, std::span<float> out);
+
+/// Whether a place is so far from the origin that steps between floats become coarse (1/128).
+bool is_far(const glm::dvec3& place);
 
 /// The node's matrix in the file's own world.
 glm::dmat4 file_world_from_node(const Pose& pose, std::size_t node);

@@ -24,7 +24,8 @@ void set_fog_color(pipeline::State& state, float grey) {
   for (std::size_t c = 0; c < 3; ++c) state.fog.color[c] = grey;
 }
 
-void set_alpha(pipeline::State& state, const SurfaceState& surface, bool write_alpha) {
+void set_alpha(pipeline::State& state, const SurfaceState& surface, Transparency transparency,
+               bool write_alpha) {
   if (surface.alpha_mode == AlphaMode::mask) {
     state.alpha_test = {true, raster::Compare::greater_equal, surface.alpha_cutoff};
     state.color_mask[3] = write_alpha;
@@ -32,6 +33,7 @@ void set_alpha(pipeline::State& state, const SurfaceState& surface, bool write_a
   if (surface.blending == Blending::none) return;
   using Factor = raster::BlendFactor;
   state.blend.enabled = true;
+  state.sorted = transparency == Transparency::exact;
   state.blend.src_alpha = Factor::one;
   state.blend.dst_alpha = Factor::one_minus_src_alpha;
   state.depth.write = false;
@@ -151,7 +153,7 @@ pipeline::State state_of(const pipeline::State& base, const RenderSettings& sett
     }
   }
   if (surface.reflection_unit != kNone) set_reflection(state, surface.reflection_unit, reflection);
-  set_alpha(state, surface, write_alpha);
+  set_alpha(state, surface, settings.transparency, write_alpha);
   set_faces(state, settings, draw);
   return state;
 }

@@ -52,7 +52,9 @@ Bounds grown(Bounds bounds, const Scene& scene, const PosedScene& posed, const R
   return bounds;
 }
 
-float light_scale(const Scene& scene, const PosedScene& posed, SceneCaches& caches) {
+/// The same at every moment, so that lights that grow are seen to.
+float light_scale(const PosedScene& posed, SceneCaches& caches) {
+  const Scene& scene = caches.at_rest;
   const auto [slot, is_new] = caches.light_scale.try_emplace(posed.scene_index, 1.0f);
   if (is_new && !light_nodes(scene, posed.nodes).empty()) {
     slot->second = physical_light_scale(scene, posed.nodes, pose_at(scene, kNone, 0.0));
@@ -202,7 +204,7 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
   frame.view = choose_view(scene, frame.posed, settings);
   if (look) look(frame.view);
   frame.lights = choose_lights(scene, frame.posed.nodes, frame.posed.scene_index, frame.posed.pose, settings,
-                               frame.view.eye_from_world, light_scale(scene, frame.posed, caches), warnings);
+                               frame.view.eye_from_world, light_scale(frame.posed, caches), warnings);
   const int index = frame.posed.scene_index;
   const SceneSettings* own =
       index == kNone ? nullptr : &scene.scenes[static_cast<std::size_t>(index)].settings;

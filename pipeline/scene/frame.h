@@ -21,8 +21,10 @@ namespace barrido::scene {
 
 /// What does not change from frame to frame, made when first needed.
 struct SceneCaches {
-  explicit SceneCaches(const Scene& scene) : textures(scene), geometry(scene), displacer(scene, textures) {}
+  explicit SceneCaches(const Scene& scene)
+      : at_rest(scene), textures(scene), geometry(scene), displacer(scene, textures) {}
 
+  const Scene& at_rest;  ///< With all its pictures.
   TextureCache textures;
   GeometryCache geometry;
   Displacer displacer;

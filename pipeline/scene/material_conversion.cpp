@@ -33,13 +33,13 @@ glm::vec3 dielectric_reflectance(const MaterialLayers* layers) {
 /// Reflectance of a thin film over a surface of reflectance `f0`, at normal incidence, at the dominant
 /// wavelengths of sRGB's primaries (Airy's sum; Born and Wolf, Principles of Optics, section 1.6.4).
 glm::vec3 film_reflectance(const glm::vec3& f0, float ior, float thickness_nm) {
-  constexpr glm::dvec3 kWavelengths_nm(611.4, 549.1, 464.2);
   glm::vec3 result;
   for (int c = 0; c < 3; ++c) {
     const double root = std::sqrt(std::clamp(double{f0[c]}, 0.0, 0.9999));
     const double below = (1.0 + root) / (1.0 - root);  // The surface's own index of refraction
     const double r1 = (1.0 - ior) / (1.0 + ior), r2 = (ior - below) / (ior + below);
-    const double turns = 2.0 * double{ior} * thickness_nm / kWavelengths_nm[c];
+    const double turns =
+        2.0 * double{ior} * thickness_nm / kPrimaryWavelengthsNm[static_cast<std::size_t>(c)];
     const double phase = portable_cos(2.0 * kPi * (turns - std::floor(turns)));
     const double mixed = 2.0 * r1 * r2 * phase, product = r1 * r1 * r2 * r2;
     result[c] = static_cast<float>((r1 * r1 + r2 * r2 + mixed) / (1.0 + product + mixed));
@@ -61,10 +61,8 @@ float squared_width(float roughness, const MaterialLayers* layers) {
   return alpha * glm::mix(alpha, 1.0f, layers->anisotropy * layers->anisotropy);
 }
 
-/// Sheen is a lobe at grazing angles, which k_d must stand for: E = 0.157, the part of light that a sheen of
-/// colour 1 sends back on average (Estevez and Kulla 2017, as three.js approximates their table).
+/// Sheen is a lobe at grazing angles, which k_d must stand for.
 glm::vec3 with_sheen(const glm::vec3& kd, const MaterialLayers* layers) {
-  constexpr float kSheenAlbedo = 0.157f;
   if (layers == nullptr) return kd;
   return kd * (1.0f - kSheenAlbedo * std::min(largest(layers->sheen_color), 1.0f)) +
          layers->sheen_color * kSheenAlbedo;

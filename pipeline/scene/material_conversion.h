@@ -2,6 +2,7 @@
 // and the means of its pictures; leaves: reflection coefficients. Knows no textures, no state and no lights.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -37,6 +38,13 @@ struct SurfaceCoefficients {
   /// The environment is reflected below the base colour texture, which then colours the reflection (metals).
   bool reflection_before_texture = false;
 };
+
+/// The part of light from everywhere that a sheen of colour 1 sends back, the mean of all roughnesses and
+/// directions (Estevez and Kulla 2017; three.js takes the same number for their table).
+inline constexpr float kSheenAlbedo = 0.157f;
+
+/// Dominant wavelengths of sRGB's primaries: red, green, blue.
+inline constexpr std::array<double, 3> kPrimaryWavelengthsNm{611.4, 549.1, 464.2};
 
 /// How reflections of surroundings are to be had.
 enum class Reflections : std::uint8_t {

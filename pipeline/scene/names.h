@@ -31,6 +31,11 @@ inline constexpr auto kNames<scene::Feature::Support> =
                                                    {scene::Feature::Support::ignored, "ignored"}});
 
 template <>
+inline constexpr auto kNames<scene::Transparency> =
+    std::to_array<Named<scene::Transparency>>({{scene::Transparency::sorted, "sorted", "triangles sorted"},
+                                               {scene::Transparency::exact, "exact", "exact in each pixel"}});
+
+template <>
 inline constexpr auto kNames<scene::ColorManagement> =
     std::to_array<Named<scene::ColorManagement>>({{scene::ColorManagement::srgb, "srgb", "managed (sRGB)"},
                                                   {scene::ColorManagement::none, "none", "as stored"}});

@@ -13,11 +13,13 @@
 #include "pipeline/scene/environment_pass.h"
 #include "pipeline/scene/frame.h"
 #include "pipeline/scene/frame_observer.h"
+#include "pipeline/scene/moving_properties.h"
 #include "pipeline/scene/overlay.h"
 #include "pipeline/scene/sample_loop.h"
 #include "pipeline/scene/straight_alpha.h"
 #include "pipeline/scene/why_empty.h"
 #include "raster/base/portable_math.h"
+#include "raster/tiles/pixel_layers.h"
 
 namespace barrido::scene {
 namespace {
@@ -58,13 +60,13 @@ raster::FramebufferOptions frame_options(const RenderSettings& settings) {
   return options;
 }
 
-/// Where blended or cut-out surfaces lie before a background that lets something through, colours must be
-/// made straight at the end.
+/// Where surfaces that are blended in any way, or cut out, lie before a background that lets something
+/// through, colours must be made straight at the end.
 std::optional<Backing> backing_of(const SceneFrame& frame) {
   const glm::vec4& c = frame.clear_color;
   const std::vector<Draw>& draws = frame.list.draws;
   const bool is_mixed = std::any_of(draws.begin(), draws.end(), [](const Draw& draw) {
-    return draw.surface.alpha_mode != AlphaMode::opaque;
+    return draw.surface.alpha_mode != AlphaMode::opaque || draw.surface.blending != Blending::none;
   });
   if (!is_mixed || c.a >= 1.0f || frame.backdrop_in_view) return std::nullopt;
   return Backing{{c.r, c.g, c.b, c.a}, frame.view.clear_depth};
@@ -171,6 +173,10 @@ class PassRenderer {
       blended.push_back(&draw);
       ordered.push_back({&draw.geometry, distance_of(draw), draw.center});
     }
+    if (settings_.transparency == Transparency::exact) {
+      for (const Draw* draw : blended) submit(*draw, draw->geometry);
+      return;
+    }
     order_ = order_blended(ordered);
     for (const BlendedPiece& piece : order_.pieces) {
       pipeline::Geometry geometry = blended[piece.draw]->geometry;
@@ -235,10 +241,29 @@ std::map<int, glm::dvec3> reflecting_nodes(const SceneFrame& frame) {
 }  // namespace
 
 struct SceneRenderer::Implementation {
-  explicit Implementation(const Scene& drawn) : scene(drawn), caches(drawn) {}
+  explicit Implementation(const Scene& drawn)
+      : at_rest(drawn),
+        moved(has_moving_properties(drawn) ? std::make_unique<Scene>(copy_without_pictures(drawn)) : nullptr),
+        scene(moved ? *moved : drawn),
+        caches(std::make_unique<SceneCaches>(drawn)) {}
 
-  const Scene& scene;
-  SceneCaches caches;
+  /// Pictures and colours that are multiplied by factors are kept: not for ever, where the factors move.
+  void move(const RenderSettings& settings) {
+    constexpr int kMomentsKept = 64;
+    if (!moved) return;
+    move_properties(at_rest, settings.animation, settings.time_s, *moved);
+    const std::pair moment(settings.animation, settings.time_s);
+    if (moment == last_moment) return;
+    last_moment = moment;
+    if (++moments % kMomentsKept == 0) caches = std::make_unique<SceneCaches>(at_rest);
+  }
+
+  const Scene& at_rest;
+  std::unique_ptr<Scene> moved;  ///< Null where nothing moves but nodes.
+  const Scene& scene;            ///< Whichever is drawn.
+  std::unique_ptr<SceneCaches> caches;
+  std::pair<int, double> last_moment{kNone, 0.0};
+  int moments = 0;
   std::vector<std::string> warnings;
 
   void draw(const SampleGo& go, FrameObserver* observer, std::optional<raster::Framebuffer>& framebuffer,
@@ -262,7 +287,7 @@ struct SceneRenderer::Implementation {
                       {},
                       nullptr};
       faces.emplace_back(face_options(settings));
-      add(work, PassRenderer(settings, frame, pass, caches.reflections, unused, faces.back()).run());
+      add(work, PassRenderer(settings, frame, pass, caches->reflections, unused, faces.back()).run());
     }
     return cube_of_frames(faces, color_encoding(settings));
   }
@@ -270,6 +295,12 @@ struct SceneRenderer::Implementation {
   void warn(const SceneFrame& frame, const RenderSettings& settings, const pipeline::Statistics& drawn,
             int slices) {
     if (std::string reason = why_empty(frame, settings, drawn); !reason.empty()) warnings.push_back(reason);
+    if (const std::uint64_t crowded = drawn.raster.crowded_fragments; crowded > 0) {
+      warnings.push_back("more than " + std::to_string(raster::kMaxPixelLayers) +
+                         " transparent layers lie in some pixels: of the farthest, " +
+                         std::to_string(crowded) + (crowded == 1 ? " fragment is" : " fragments are") +
+                         " blended in the order of drawing");
+    }
     if (slices == 0) return;
     warnings.push_back(
         "transparent surfaces lie within each other too often to sort all their triangles: "
@@ -299,7 +330,8 @@ void SceneRenderer::Implementation::draw(const SampleGo& go, FrameObserver* obse
                                          pipeline::Statistics& work) {
   const RenderSettings& settings = go.settings;
   std::vector<std::string> unused;
-  const SceneFrame frame = prepare_frame(scene, settings, caches, go.warns ? warnings : unused, go.look);
+  move(settings);
+  const SceneFrame frame = prepare_frame(scene, settings, *caches, go.warns ? warnings : unused, go.look);
   const std::optional<Backing> backing = backing_of(frame);
   const bool is_sampled = go.samples != nullptr;
   if (is_sampled) set_background(*go.samples, frame, backing);
@@ -310,9 +342,11 @@ void SceneRenderer::Implementation::draw(const SampleGo& go, FrameObserver* obse
   const Pass pass{frame.view,        frame.aspect, frame.backdrop_in_view,
                   settings.overlays, kNone,        &node_maps,
                   observer,          backing,      go.samples};
-  PassRenderer renderer(settings, frame, pass, caches.reflections, node_reflections, *framebuffer);
+  PassRenderer renderer(settings, frame, pass, caches->reflections, node_reflections, *framebuffer);
   const pipeline::Statistics own = renderer.run();
   add(work, own);
+  work.displaced_vertices = frame.list.displaced_vertices;
+  work.displaced_triangles = frame.list.displaced_triangles;
   if (!renderer.is_drawn()) return;
   // Sums of samples have become straight colours already.
   finish_colors(*framebuffer, is_sampled ? std::nullopt : backing, settings);
@@ -328,14 +362,15 @@ double SceneRenderer::Implementation::focus_from_pixel(RenderSettings settings) 
   std::optional<raster::Framebuffer> framebuffer;
   pipeline::Statistics unused;
   draw({settings, nullptr, {}, false}, nullptr, framebuffer, unused);
-  const View view = choose_view(scene, pose_scene(scene, settings, caches), settings);
+  const View view = choose_view(scene, pose_scene(scene, settings, *caches), settings);
   return distance_at(view, framebuffer->depth()[framebuffer->index(place.x, settings.height - 1 - place.y)]);
 }
 
 Lens SceneRenderer::Implementation::lens_of(const RenderSettings& settings) {
   if (!settings.samples.has_lens()) return {};
+  move(settings);
   const double seen = settings.samples.focus_pixel ? focus_from_pixel(settings) : 0.0;
-  return choose_lens(scene, pose_scene(scene, settings, caches), settings, seen, warnings);
+  return choose_lens(scene, pose_scene(scene, settings, *caches), settings, seen, warnings);
 }
 
 SceneRenderer::SceneRenderer(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
@@ -353,8 +388,6 @@ raster::Framebuffer SceneRenderer::render(const RenderSettings& settings, pipeli
     for_each_go(settings, self.lens_of(settings),
                 [&](const SampleGo& go) { self.draw(go, nullptr, framebuffer, work); });
   }
-  work.displaced_vertices = frame.list.displaced_vertices;
-  work.displaced_triangles = frame.list.displaced_triangles;
   if (statistics != nullptr) *statistics = work;
   return std::move(*framebuffer);
 }
@@ -368,7 +401,8 @@ RenderSettings at_moment(const RenderSettings& settings, double frames) {
 
 View SceneRenderer::view(const RenderSettings& settings) const {
   Implementation& self = *implementation_;
-  return choose_view(self.scene, pose_scene(self.scene, settings, self.caches), settings);
+  self.move(settings);
+  return choose_view(self.scene, pose_scene(self.scene, settings, *self.caches), settings);
 }
 
 const std::vector<std::string>& SceneRenderer::warnings() const { return implementation_->warnings; }

@@ -42,7 +42,7 @@ struct CameraChoice {
   int camera_index =
       kNone;  ///< Of the cameras found in the scene's nodes, in order; kNone: the first, else framed.
   bool ignore_file_cameras = false;
-  std::optional<glm::vec3> position, focal_point;
+  std::optional<glm::dvec3> position, focal_point;  ///< Of the file's world, where coordinates may be large.
   std::optional<float> view_angle_deg;
   glm::vec3 up{0, 1, 0};
   std::optional<glm::vec3> view_up;  ///< Which way the picture is held; empty: upright. Need not be a unit.
@@ -51,6 +51,12 @@ struct CameraChoice {
 };
 
 enum class Background : std::uint8_t { color, environment };
+
+/// How the colours of transparent surfaces are put in order.
+enum class Transparency : std::uint8_t {
+  sorted,  ///< Triangles are drawn by the distance of their middles.
+  exact,   ///< Fragments are blended by their depth, pixel by pixel.
+};
 
 /// Properties given in place of those of every material.
 struct MaterialOverride {
@@ -122,6 +128,7 @@ struct RenderSettings {
   std::optional<raster::FogState> fog;
   bool fog_takes_background = false;       ///< The colour of `fog` is the background's, whoever gave that.
   std::optional<pipeline::CullFace> cull;  ///< Empty: as the materials say.
+  Transparency transparency = Transparency::sorted;
   bool wireframe = false;
   Overlays overlays;
   MaterialOverride material;

@@ -280,9 +280,42 @@ struct AnimationChannel {
   std::vector<float> values;   ///< times × (3 if cubic) × components
 };
 
+/// A property of a material, light or camera that moves (KHR_animation_pointer).
+struct PropertyChannel {
+  enum class Property : std::uint8_t {
+    base_color,
+    metallic,
+    roughness,
+    emissive_factor,
+    emissive_strength,
+    alpha_cutoff,
+    texture_offset,
+    texture_rotation,
+    texture_scale,
+    light_color,
+    light_intensity,
+    light_range,
+    light_inner_cone,
+    light_outer_cone,
+    camera_fov,
+    camera_half_width,
+    camera_half_height,
+    camera_near,
+    camera_far,
+  };
+  Property property = Property::base_color;
+  int index = kNone;                    ///< Of the material, light or camera
+  TextureUse Material::*use = nullptr;  ///< Whose transform, of a texture_… property
+  /// What the property is a part of, where only some parts move: offset, rotation and scale; or the emissive
+  /// factor and its strength.
+  std::array<float, 5> rest{};
+  AnimationChannel keys;  ///< Times and values; its node and path say nothing.
+};
+
 struct Animation {
   std::string name;
   std::vector<AnimationChannel> channels;
+  std::vector<PropertyChannel> properties;
   float duration_s = 0.0f;
 };
 

@@ -103,6 +103,10 @@ void spare_depth(Eye& eye, const Sphere& bounds) {
 
 }  // namespace
 
+glm::dvec3 kept_place(const glm::dvec3& place) {
+  return is_far(place) ? place : glm::dvec3(glm::vec3(place));
+}
+
 Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const Sphere& bounds) {
   const auto node = static_cast<std::size_t>(camera_node);
   const Camera& camera = scene.cameras[static_cast<std::size_t>(scene.nodes[node].camera)];

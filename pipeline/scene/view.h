@@ -21,6 +21,9 @@ struct Eye {
   double far_plane = 0.0;         ///< 0: infinite
 };
 
+/// What CameraChoice holds of a place: floats, but double precision where they are coarse.
+glm::dvec3 kept_place(const glm::dvec3& place);
+
 /// The camera of `camera_node`, looking at the depth of the bounds' centre; its scaling is ignored (glTF 2.0,
 /// section 3.10).
 Eye eye_of_camera(const Scene& scene, const Pose& pose, int camera_node, const Sphere& bounds);

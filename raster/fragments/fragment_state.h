@@ -194,6 +194,8 @@ struct FragmentState {
   DepthState depth;
   PolygonOffset polygon_offset;
   BlendState blend;
+  bool sorted =
+      false;  ///< Blended by depth, pixel by pixel, in place of the order of drawing: pixel_layers.h
   std::array<bool, 4> color_mask{true, true, true, true};
   Scissor scissor;
 };
@@ -202,7 +204,7 @@ inline bool all_channels(const std::array<bool, 4>& mask) { return mask[0] && ma
 
 /// Whether a fragment that passes its tests replaces what is behind it.
 inline bool is_opaque(const FragmentState& state) {
-  return !state.blend.enabled && !state.alpha_test.enabled && all_channels(state.color_mask);
+  return !state.blend.enabled && !state.sorted && !state.alpha_test.enabled && all_channels(state.color_mask);
 }
 
 /// Whether a stage reads the unit.

@@ -324,7 +324,8 @@ class SpanShader {
     FragmentBatch& batch = workspace_.batch;
     const int at = batch.count;
     const int count = end - begin;
-    if (key_->late_depth && places_ == nullptr) interpolate_depth(span_, begin, count, batch, at);
+    if ((key_->late_depth || key_->sorted) && places_ == nullptr)
+      interpolate_depth(span_, begin, count, batch, at);
     if (key_->lod_units != 0) append_lod(begin, count);
     if (key_->fills_primary || key_->fills_secondary) {
       fill_flat(flat_colors(*chunk_, *primitive_), *key_, batch.state->clamp_colors, count, batch, at);

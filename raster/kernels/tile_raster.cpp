@@ -60,6 +60,7 @@ class TileRasterizer {
     const auto& chunks = *job_.chunks;
     for (std::size_t begin = 0; begin < chunks.size();) {
       std::size_t end = begin;
+      if (!chunks[begin]->key().sorted) blend_layers();
       while (end < chunks.size() && hides_what_is_behind(*chunks[end])) ++end;
       if (end > begin && job_.visibility_first && overlaps(begin, end)) {
         draw_visible(begin, end);
@@ -69,10 +70,17 @@ class TileRasterizer {
       }
       begin = end;
     }
+    blend_layers();
     shader_.flush();
   }
 
  private:
+  /// What was sorted is blended before what was drawn later, and is not.
+  void blend_layers() {
+    if (workspace_.batch.count > 0 && workspace_.key->sorted) shader_.flush();
+    workspace_.layers.blend(workspace_.surface);
+  }
+
   std::span<const std::uint16_t> primitives_of(const BinnedChunk& binned) const {
     return binned.primitives_in(job_.column, job_.row);
   }

@@ -4,6 +4,7 @@
 
 #include "raster/reference/fragment_operations.h"
 #include "raster/reference/resolve.h"
+#include "raster/tiles/pixel_layers.h"
 
 namespace barrido::raster::reference {
 
@@ -32,6 +33,8 @@ void Canvas::apply(const FragmentState& state, int x, int y, const Color& color,
   FateTrace& fate = trace != nullptr ? *trace : unused;
   const AlphaTest& alpha = state.alpha_test;
   const std::size_t pixel = index(x, y);
+  if (!state.sorted) blend_layers(pixel);
+  fate.turn = ++turn_;
   fate.before = fate.after = color_[pixel];
   fate.depth_before = fate.depth_after = depth_[pixel];
   fate.alpha_passed = !alpha.enabled || compare(alpha.compare, color[3], alpha.reference);
@@ -43,16 +46,57 @@ void Canvas::apply(const FragmentState& state, int x, int y, const Color& color,
     fate.depth_after = depth_[pixel];
   }
   fate.incoming = incoming_color(color);
-  fate.blended = blend(state.blend, fate.incoming, fate.before);
+  if (state.sorted) return add_layer(pixel, {&state, fate.incoming, depth, trace});
+  write(state, pixel, fate.incoming, fate);
+}
+
+/// Of too many layers the farthest does not wait for more.
+void Canvas::add_layer(std::size_t pixel, const Layer& layer) {
+  std::vector<Layer>& layers = layers_[pixel];
+  layers.push_back(layer);
+  if (layers.size() <= kMaxPixelLayers) return;
+  const auto farthest = std::max_element(layers.begin(), layers.end(),
+                                         [](const Layer& a, const Layer& b) { return a.depth < b.depth; });
+  FateTrace unused;
+  FateTrace& fate = farthest->trace != nullptr ? *farthest->trace : unused;
+  fate.turn = ++turn_;
+  write(*farthest->state, pixel, farthest->color, fate);
+  layers.erase(farthest);
+}
+
+/// Farthest first; of equally far ones the first that was drawn.
+void Canvas::blend_layers(std::size_t pixel) {
+  const auto found = layers_.find(pixel);
+  if (found == layers_.end()) return;
+  std::vector<Layer> layers = std::move(found->second);
+  layers_.erase(found);
+  std::stable_sort(layers.begin(), layers.end(),
+                   [](const Layer& a, const Layer& b) { return a.depth > b.depth; });
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    FateTrace unused;
+    FateTrace& fate = layers[i].trace != nullptr ? *layers[i].trace : unused;
+    fate.turn = ++turn_;
+    fate.layer = static_cast<int>(i) + 1;
+    write(*layers[i].state, pixel, layers[i].color, fate);
+  }
+}
+
+void Canvas::finish() {
+  while (!layers_.empty()) blend_layers(layers_.begin()->first);
+}
+
+/// Blending, masks and storing.
+void Canvas::write(const FragmentState& state, std::size_t pixel, const Color& color, FateTrace& fate) {
+  fate.before = color_[pixel];
+  fate.blended = blend(state.blend, color, fate.before);
   const Color written = stored_color(fate.blended);
   for (std::size_t c = 0; c < 4; ++c) {
     if (state.color_mask[c]) color_[pixel][c] = written[c];
   }
   fate.after = color_[pixel];
-  if (trace == nullptr) return;
   const BlendState& b = state.blend;
   const auto factors = [&](BlendFactor rgb, BlendFactor a) {
-    return blend_factor(rgb, a, fate.incoming, fate.before, b.constant);
+    return blend_factor(rgb, a, color, fate.before, b.constant);
   };
   fate.source_factor = b.enabled ? factors(b.src_rgb, b.src_alpha) : Color{1, 1, 1, 1};
   fate.destination_factor = b.enabled ? factors(b.dst_rgb, b.dst_alpha) : Color{0, 0, 0, 0};

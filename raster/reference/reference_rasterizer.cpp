@@ -18,6 +18,7 @@ void rasterize(std::span<const PrimitiveChunk* const> chunks, const ClearValues&
     const Color color = shade_fragment(fragment);
     canvas.apply(state, place.x, place.y, color, fragment.depth);
   });
+  canvas.finish();
   canvas.store(framebuffer);
 }
 

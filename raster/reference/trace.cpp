@@ -1,5 +1,9 @@
 #include "raster/reference/trace.h"
 
+#include <algorithm>
+#include <deque>
+#include <iterator>
+
 #include "raster/reference/canvas.h"
 #include "raster/reference/fragment_operations.h"
 #include "raster/reference/fragment_walk.h"
@@ -31,9 +35,11 @@ PixelTrace trace_pixel(std::span<const PrimitiveChunk* const> chunks, const Clea
   pixel.clear = canvas.color(0, 0);
   pixel.clear_depth = canvas.depth(0, 0);
   Fragment fragment;
+  std::deque<FragmentTrace> fragments;  // the canvas remembers where they stand
   for_each_fragment(
       chunks, {frame.width, frame.height}, {{x, x + 1}, {y, y + 1}}, [&](const FragmentPlace& place) {
-        FragmentTrace& trace = pixel.fragments.emplace_back(begin_trace(place));
+        FragmentTrace& trace = fragments.emplace_back(begin_trace(place));
+        trace.fate.turn = canvas.turn();
         if (trace.outside_scissor) return;
         const FragmentState& state = *place.chunk.state;
         interpolate(place, fragment);
@@ -42,6 +48,10 @@ PixelTrace trace_pixel(std::span<const PrimitiveChunk* const> chunks, const Clea
         const Color color = shade_fragment(fragment, &trace.shading);
         canvas.apply(state, 0, 0, color, fragment.depth, &trace.fate);
       });
+  canvas.finish();
+  std::stable_sort(fragments.begin(), fragments.end(),
+                   [](const FragmentTrace& a, const FragmentTrace& b) { return a.fate.turn < b.fate.turn; });
+  std::move(fragments.begin(), fragments.end(), std::back_inserter(pixel.fragments));
   Framebuffer stored(one);
   canvas.store(stored);
   pixel.color = canvas.color(0, 0);

@@ -106,6 +106,8 @@ struct FateTrace {
   Color destination_factor{};
   Color blended{};  ///< Before it is stored.
   Color after{};    ///< The pixel's colour as read back.
+  int layer = 0;    ///< Of a sorted fragment its place from the farthest on, from 1.
+  int turn = 0;     ///< Rises in the order in which fragments reach the pixel.
 };
 
 /// A fragment that covers the pixel.
@@ -126,7 +128,7 @@ struct FragmentTrace {
 struct PixelTrace {
   Color clear{};  ///< The pixel's first colour, as read back.
   float clear_depth = 1.0f;
-  std::vector<FragmentTrace> fragments;  ///< In drawing order.
+  std::vector<FragmentTrace> fragments;  ///< In the order in which they reach the pixel.
   Color color{};                         ///< In the end, as the frame's format holds it.
   float depth = 1.0f;
   std::uint32_t color8 = 0;  ///< Packed R, G, B, A after the display transform.

@@ -43,7 +43,7 @@ Blending blending_of(const BlendState& blend) {
 }
 
 ColorWay color_way(const FragmentState& state, ColorFormat surface, Blending blending) {
-  if (surface != ColorFormat::rgba8 || !keeps_colors(state) || state.alpha_test.enabled ||
+  if (surface != ColorFormat::rgba8 || !keeps_colors(state) || state.alpha_test.enabled || state.sorted ||
       !all_channels(state.color_mask)) {
     return ColorWay::batch;
   }
@@ -73,6 +73,7 @@ KernelKey make_kernel_key(const FragmentState& state, ColorFormat surface, bool 
   KernelKey key;
   key.surface = surface;
   key.blending = blending_of(state.blend);
+  key.sorted = state.sorted;
   key.colors = by_batches ? ColorWay::batch : color_way(state, surface, key.blending);
   key.depth = depth_test(state);
   key.late_depth = state.alpha_test.enabled && state.depth.test && state.depth.write;

@@ -39,6 +39,7 @@ struct KernelKey {
   ColorFormat surface = ColorFormat::rgba8;
   ColorWay colors = ColorWay::batch;
   Blending blending = Blending::replace;
+  bool sorted = false;
   DepthTest depth = DepthTest::off;
   bool late_depth = false;
   bool hides = false;
@@ -65,6 +66,7 @@ inline constexpr KernelKeyFact kKernelKeyFacts[] = {
     {"surface", true, "bytes or four planes of floats are read and written"},
     {"colors", true, "the batch's arrays, one packed number or four planes are in hand"},
     {"blending", true, "what stands in the pixel is read or not, and factors stay in registers or not"},
+    {"sorted", true, "fragments wait in lists with their depths in place of being blended"},
     {"depth", true, "no depth is touched, one comparison decides, or the masks of all eight do"},
     {"late_depth", true, "the alpha test decides, so the batch carries depths to its end"},
     {"hides", true, "opaque: a look at visibility first costs marks and saves shading"},

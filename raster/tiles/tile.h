@@ -10,6 +10,7 @@
 #include "raster/fragments/fragment_batch.h"
 #include "raster/tiles/binning.h"
 #include "raster/tiles/framebuffer.h"
+#include "raster/tiles/pixel_layers.h"
 #include "raster/tiles/raster_statistics.h"
 #include "raster/tiles/samples.h"
 #include "raster/tiles/tile_places.h"
@@ -110,6 +111,7 @@ struct TileWorkspace {
   alignas(64) float extent[3][kBatchStride];  ///< Of procedures; see ProcedurePoints.
   /// Primary colours, for texture environments that ask for them after the first unit.
   alignas(64) float primary[4][kBatchStride];
+  PixelLayers layers;
   std::vector<TilePrimitive> primitives;
   std::vector<VisibleRun> runs;
   std::vector<const BinnedChunk*> chunks;

@@ -210,6 +210,7 @@ void any_output(Input& input, pipeline::State& state) {
     blend.equation = input.one_of_first<raster::BlendEquation>(5);
     if (input.flag()) blend.constant = any_color(input);
   }
+  state.sorted = input.byte() < 48;
   if (input.byte() < 32) {
     for (bool& channel : state.color_mask) channel = input.flag();
   }

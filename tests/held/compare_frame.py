@@ -98,7 +98,8 @@ def compare_frame(call: Call, frame: Frame, theirs: dict, differences: Differenc
     differences.expect(theirs["tone_map"] == int(call.reinhard), "tone map")
     compare_lights(frame, theirs, size, differences)
     pieces = [draw for draw in theirs["draws"] if not draw["backdrop"]]
-    compare_blended(frame, [piece for piece in pieces if piece["blend"]], size, differences)
+    if not call.exact_order:
+        compare_blended(frame, [piece for piece in pieces if piece["blend"]], size, differences)
     draws = whole_draws(pieces)
     order = [(draw["node"], draw["primitive"]) for draw in draws]
     expected = [(draw.node, draw.primitive) for draw in frame.draws]
@@ -299,6 +300,7 @@ def compare_state(call: Call, frame: Frame, draw: Draw, theirs: dict, difference
     cull = CULL[call.cull or ("none" if both else "back")]
     expected = {"shade_model": SHADINGS[frame.shading], "cull_face": cull, "front_face": int(draw.mirrored),
                 "two_sided": int(cull != CULL["back"]), "lit": int(draw.surface.lit), "blend": int(mode == "BLEND"),
+                "sorted": int(mode == "BLEND" and call.exact_order),
                 "depth_write": int(mode != "BLEND"), "alpha_test": int(mode == "MASK"),
                 "local_viewer": int(frame.eye.half_height is None), "fog": int(frame.fog_color is not None)}
     for name, value in expected.items():

@@ -183,6 +183,7 @@ void write_state(Writer& out, const pipeline::State& state) {
   out.field("alpha_test", state.alpha_test.enabled);
   out.field("alpha_reference", state.alpha_test.reference);
   out.field("blend", state.blend.enabled);
+  out.field("sorted", state.sorted);
   out.field("depth_write", state.depth.write);
   out.field("fog", state.fog.enabled);
   out.field("fog_color", state.fog.color);

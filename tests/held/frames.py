@@ -8,6 +8,7 @@ import numpy as np
 
 from glb import Glb
 from light import Light, LightChoice, ambient_of, chosen_lights, file_lights, metered
+from pointers import at_moment
 from pose import Pose, Vertices
 from surface import Materials, Surface, SurfaceChoice, linear
 from view import Bounds, Choice, Eye, bounds_of, choose_eye, clip_from_eye, eye_from_world, world_points
@@ -42,6 +43,7 @@ class Call:
     crease: float | None = None  # Degrees
     min_filter: int | None = None
     wireframe: bool = False
+    exact_order: bool = False  # Of transparent fragments
 
 
 @dataclasses.dataclass
@@ -208,15 +210,17 @@ class Frames:
 
     def _frame(self, camera: int | None, shading: str, number: int, time: float, azimuth: float) -> Frame:
         pose = Pose(self._glb, self._animation, time)
+        moved = at_moment(self._glb, self._animation, time)
+        materials = self._materials if moved is self._glb else Materials(moved, self._call.surfaces)
         choice = dataclasses.replace(self._call.view, camera=camera, azimuth=self._call.view.azimuth + azimuth)
-        eye = choose_eye(self._tree, self._camera_nodes, pose, self._bounds, choice)
+        eye = choose_eye(moved.tree, self._camera_nodes, pose, self._bounds, choice)
         view = eye_from_world(eye, self._bounds)
         background = self._background()
         return Frame(self._name(camera, shading, number), self._label(camera, shading, number), shading, eye, view, clip_from_eye(eye, choice.width / choice.height),
                      self._bounds,
-                     chosen_lights(self._tree, self._nodes, pose, self._call.lights, np.linalg.inv(view), self._meter),
+                     chosen_lights(moved.tree, self._nodes, pose, self._call.lights, np.linalg.inv(view), self._meter),
                      ambient_of(self._scene, self._call.lights), background, self._fog_color(background),
-                     self._ordered(self._draws(pose), view, eye.half_height is not None))
+                     self._ordered(self._draws(pose, materials, moved.tree), view, eye.half_height is not None))
 
     def _shown(self, color: np.ndarray) -> np.ndarray:
         """What the frame must hold for this colour to be seen: the display transform's inverse."""
@@ -240,15 +244,15 @@ class Frames:
         fog = self._scene.get("extras", {}).get("barrido", {}).get("fog")
         return np.array(fog["color"]) if fog else None
 
-    def _draws(self, pose: Pose) -> list[Draw]:
+    def _draws(self, pose: Pose, materials: Materials, tree: dict) -> list[Draw]:
         draws = []
         for node, mesh, i, primitive in self._primitives():
             vertices = pose.vertices(node, primitive)
             mode, material = primitive.get("mode", TRIANGLES), primitive.get("material")
             is_surface = mode in (TRIANGLES, STRIP, FAN)
             has_normals = vertices.normals is not None or is_surface
-            surface = self._materials.surface(material, has_normals, "COLOR_0" in primitive["attributes"])
-            source = self._tree["materials"][material] if material is not None else {}
+            surface = materials.surface(material, has_normals, "COLOR_0" in primitive["attributes"])
+            source = tree["materials"][material] if material is not None else {}
             # A skin's joints carry the vertices, so that the node cannot mirror them.
             mirrored = np.linalg.det(vertices.world_from_object[:3, :3]) < 0
             draws.append(Draw(node, mesh, i, material, primitive, source, vertices, self._rewound(node, primitive, vertices), surface, mirrored,
@@ -266,11 +270,11 @@ class Frames:
         return corners
 
     def _ordered(self, draws: list[Draw], view: np.ndarray, parallel: bool) -> list[Draw]:
-        """Blended ones last; the triangles of all of them by their middles, farthest first."""
+        """Blended ones last; the triangles of all of them by their middles, farthest first, or as they are."""
         opaque = [draw for draw in draws if draw.material_source.get("alphaMode") != "BLEND"]
         blended = [draw for draw in draws if draw.material_source.get("alphaMode") == "BLEND"]
         for draw in blended:
-            if draw.source.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN):
+            if draw.source.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN) and not self._call.exact_order:
                 middles = draw.vertices.positions[draw.corners].reshape(-1, 3, 3).mean(axis=1)
                 draw.order = sorted(range(len(middles)), key=lambda i, d=distances(view, draw, middles, parallel): -d[i])
         return opaque + blended

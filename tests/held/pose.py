@@ -2,10 +2,26 @@
 glTF 2.0 specification in double precision. Matrices multiply columns from the left; arrays have a row an element."""
 
 import dataclasses
+import re
 
 import numpy as np
 
 from glb import Glb
+
+NODE = re.compile(r"/nodes/(\d+)/(translation|rotation|scale|weights)$")
+
+
+def pointer_of(channel: dict) -> str | None:
+    return channel["target"].get("extensions", {}).get("KHR_animation_pointer", {}).get("pointer")
+
+
+def core_target(channel: dict) -> dict | None:
+    """The target as glTF's core would write it; None for what is no node's."""
+    pointer = pointer_of(channel)
+    if pointer is None:
+        return channel["target"]
+    node = NODE.match(pointer)
+    return {"node": int(node[1]), "path": node[2]} if node else None
 
 
 def matrix_of(numbers: list[float]) -> np.ndarray:
@@ -97,7 +113,8 @@ class Pose:
         self.weights = [self._standing_weights(node) for node in self._nodes]
         if animation is not None:
             for channel in self._tree["animations"][animation]["channels"]:
-                self._apply(self._tree["animations"][animation], channel, time)
+                if (target := core_target(channel)) is not None:
+                    self._apply(self._tree["animations"][animation], channel, target, time)
         self.world: list[np.ndarray] = [np.eye(4)] * len(self._nodes)
         children = {child for node in self._nodes for child in node.get("children", [])}
         for root in set(range(len(self._nodes))) - children:
@@ -111,8 +128,8 @@ class Pose:
         mesh = self._tree["meshes"][node["mesh"]] if "mesh" in node else {}
         return np.array(node.get("weights", mesh.get("weights", [0.0] * count)), dtype=np.float64)
 
-    def _apply(self, animation: dict, channel: dict, time: float) -> None:
-        target, sampler = channel["target"], animation["samplers"][channel["sampler"]]
+    def _apply(self, animation: dict, channel: dict, target: dict, time: float) -> None:
+        sampler = animation["samplers"][channel["sampler"]]
         node, path = target["node"], target["path"]
         times = self._glb.values[sampler["input"]][:, 0]
         interpolation = sampler.get("interpolation", "LINEAR")

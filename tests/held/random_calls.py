@@ -193,6 +193,9 @@ class RandomCall:
             name = self._rng.choice(list(MIN_FILTERS))
             self.call.min_filter = MIN_FILTERS[name]
             self._say("--min-filter", name)
+        if self._maybe(0.2):
+            self.call.exact_order = True
+            self._say("--transparency", "exact")
         if self._maybe(0.05):
             self.call.wireframe = True
             self._say("--wireframe")

@@ -330,8 +330,45 @@ class RandomScene:
         for node, path in rng.sample(paths, min(len(paths), rng.randint(1, 6))):
             animation["channels"].append({"sampler": len(animation["samplers"]), "target": {"node": node, "path": path}})
             animation["samplers"].append(self._sampler(path, self._targets_of(self._tree["nodes"][node])))
+        pointers = self._pointers()
+        for pointer, width, low, high in rng.sample(pointers, min(len(pointers), rng.choice([0, 0, 1, 3]))):
+            animation["channels"].append({"sampler": len(animation["samplers"]), "target": {
+                "path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}})
+            animation["samplers"].append(self._sampler_of(width, low, high))
+            self.extensions.add("KHR_animation_pointer")
         if animation["channels"]:
             self.glb.add("animations", animation)
+
+    def _pointers(self) -> list[tuple[str, int, float, float]]:
+        """With the number of components, and between which values they move."""
+        pointers: list[tuple[str, int, float, float]] = []
+        for i, material in enumerate(self._tree["materials"]):
+            pbr = f"/materials/{i}/pbrMetallicRoughness/"
+            if "baseColorTexture" in material.get("pbrMetallicRoughness", {}):
+                place = pbr + "baseColorTexture/extensions/KHR_texture_transform/"
+                pointers += [(place + "offset", 2, -1, 1), (place + "scale", 2, 0.5, 2), (place + "rotation", 1, -3, 3)]
+            pointers += [(pbr + "baseColorFactor", 4, 0.1, 1), (pbr + "metallicFactor", 1, 0, 1), (pbr + "roughnessFactor", 1, 0.2, 1),
+                         (f"/materials/{i}/emissiveFactor", 3, 0, 1)]
+        for i, light in enumerate(self._tree.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])):
+            place = f"/extensions/KHR_lights_punctual/lights/{i}/"
+            pointers += [(place + "intensity", 1, 0.5, 20), (place + "color", 3, 0.1, 1)]
+            if light["type"] == "spot":
+                pointers.append((place + "spot/outerConeAngle", 1, 0.2, 1.5))
+        for i, camera in enumerate(self._tree.get("cameras", [])):
+            pointers.append((f"/cameras/{i}/perspective/yfov", 1, 0.2, 2) if camera["type"] == "perspective"
+                            else (f"/cameras/{i}/orthographic/ymag", 1, 0.5, 5))
+        pointers += [(f"/nodes/{i}/translation", 3, -1, 1) for i, node in enumerate(self._tree["nodes"]) if "matrix" not in node]
+        return pointers
+
+    def _sampler_of(self, width: int, low: float, high: float) -> dict:
+        """Of numbers between these; splines may leave them."""
+        rng, keys = self._rng, self._rng.randint(2, 4)
+        interpolation = rng.choice(["STEP", "LINEAR", "CUBICSPLINE"])
+        times = np.cumsum([rng.uniform(0, 0.8)] + [rng.uniform(0.05, 1) for _ in range(keys - 1)])
+        input_ = self.glb.accessor(times[:, None], vertex=False)
+        self._tree["accessors"][input_] |= {"min": [float(np.float32(times[0]))], "max": [float(np.float32(times[-1]))]}
+        rows = (array(rng, keys * (3 if interpolation == "CUBICSPLINE" else 1), width) + 1) / 2 * (high - low) + low
+        return {"input": input_, "output": self.glb.accessor(rows, vertex=False), "interpolation": interpolation}
 
     def _targets_of(self, node: dict) -> int:
         return len(self._tree["meshes"][node["mesh"]]["primitives"][0].get("targets", [])) if "mesh" in node else 0

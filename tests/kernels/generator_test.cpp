@@ -56,6 +56,7 @@ void see_state(Seen& seen, const FragmentState& state) {
     see(seen, "equation", state.blend.equation);
   }
   if (state.fog.enabled) see(seen, "fog", state.fog.mode);
+  see(seen, "sorted", state.sorted);
   see(seen, "scissor", state.scissor.enabled);
   see(seen, "offset", state.polygon_offset.enabled);
   see(seen, "separate specular", state.separate_specular);
@@ -93,6 +94,7 @@ TEST(SceneGenerator, CoversEveryState) {
                                                        {"equation", 5},
                                                        {"fog", 3},
                                                        {"scissor", 2},
+                                                       {"sorted", 2},
                                                        {"offset", 2},
                                                        {"separate specular", 2},
                                                        {"clamp colors", 2},

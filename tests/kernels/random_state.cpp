@@ -120,6 +120,7 @@ void random_output(RandomBits& random, FragmentState& state) {
   blend.dst_alpha = random.one_of_first<BlendFactor>(15);
   blend.equation = random.one_of_first<BlendEquation>(5);
   blend.constant = random.color(0.0f, 1.0f);
+  state.sorted = random.chance(25);
   if (random.chance(30)) {
     for (bool& channel : state.color_mask) channel = random.chance(50);
   }
@@ -221,6 +222,7 @@ std::string describe(const FragmentState& s) {
             number_of(s.blend.src_alpha) + "," + number_of(s.blend.dst_alpha) + " " +
             number_of(s.blend.equation) + "}";
   }
+  text += s.sorted ? " sorted" : "";
   text += " mask=";
   for (const bool channel : s.color_mask) text += channel ? '1' : '0';
   if (s.scissor.enabled) {

@@ -38,6 +38,7 @@ PRIVATE_HEADERS = {
     r"OpenImageIO/": ["pipeline/pictures"],
     r"draco/|meshoptimizer\.h": ["pipeline/gltf", "tests"],
     r"webp/": ["pipeline/pictures", "tests"],
+    r"gif_lib.h": ["pipeline/pictures/gif_module", "tests"],
     r"spng\.h|jpeglib\.h|turbojpeg\.h|png\.h": ["pipeline/pictures", "models/tool", "tests"],
     r"GLFW/|imgui": ["viewer/barrido-view", "tests"],
     r"GL/": ["viewer/barrido-view", "viewer/osmesa", "tests"],

@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-UNWANTED = re.compile(r"lib(GL|GLX|GLdispatch|EGL|OpenGL|OSMesa|X11|xcb|glfw|wayland-\w+|imgui|OpenImageIO|draco|meshoptimizer|webp)[.\-]|barrido_\w+\.so")
+UNWANTED = re.compile(r"lib(GL|GLX|GLdispatch|EGL|OpenGL|OSMesa|X11|xcb|glfw|wayland-\w+|imgui|OpenImageIO|draco|meshoptimizer|webp|webpmux|gif)[.\-]|barrido_\w+\.so")
 MODEL = pathlib.Path(__file__).resolve().parents[2] / "models" / "teapot.glb"
 
 

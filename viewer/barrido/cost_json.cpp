@@ -55,7 +55,8 @@ Json frame_json(const FrameCost& frame) {
                     {"texel_fetches", frame.counts.raster.texel_fetches},
                     {"mapped", frame.counts.raster.mapped},
                     {"procedures", frame.counts.raster.patterns},
-                    {"noise", frame.counts.raster.noise}};
+                    {"noise", frame.counts.raster.noise},
+                    {"fragments_sorted", frame.counts.raster.sorted_fragments}};
   Json times = Json::object();
   for (std::size_t stage = 0; stage < frame.stage_ms.size(); ++stage) {
     times[std::string(raster::kStageNames[stage])] = frame.stage_ms[stage];

@@ -35,6 +35,7 @@ ModeSum sum_of_mode(const CostReport& report, pipeline::ShadeModel mode) {
     sum.raw.displaced_vertices += frame.counts.displaced_vertices;
     sum.raw.displaced_triangles += frame.counts.displaced_triangles;
     sum.raw.raster.texel_fetches += frame.counts.raster.texel_fetches;
+    sum.raw.raster.sorted_fragments += frame.counts.raster.sorted_fragments;
     sum.draw_ms += frame.draw_ms;
     sum.write_ms += frame.write_ms;
     for (std::size_t stage = 0; stage < sum.stage_ms.size(); ++stage)
@@ -98,6 +99,9 @@ std::string mode_table(pipeline::ShadeModel mode, const ModeSum& sum) {
   if (sum.raw.displaced_triangles > 0) {
     text += "  displacement made " + per_frame(sum.raw.displaced_vertices) + " vertices and " +
             per_frame(sum.raw.displaced_triangles) + " triangles\n";
+  }
+  if (const std::uint64_t sorted = sum.raw.raster.sorted_fragments; sorted > 0) {
+    text += "  " + per_frame(sorted) + " fragments put in order by depth a frame\n";
   }
   return text + stage_line(sum);
 }

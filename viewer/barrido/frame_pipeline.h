@@ -21,7 +21,8 @@ namespace barrido::cli {
 struct FrameInFlight {
   const PlannedFrame* plan = nullptr;
   std::optional<raster::Framebuffer> framebuffer;
-  std::vector<std::uint8_t> encoded;  ///< PNG, where it goes to standard output.
+  std::vector<std::uint8_t> encoded;  ///< PNG or bare pixels, where it goes to standard output.
+  std::optional<scene::AnimationFrame> of_animation;  ///< Where it goes into one.
   FrameCost cost;
   std::exception_ptr error;  ///< Set when a stage failed; later stages pass the frame on.
 };

@@ -102,6 +102,16 @@ std::string label_of(const RenderOptions& options, const std::string& path, cons
   return label;
 }
 
+/// GIF holds nothing but animations, if of a single frame; of WebP several moments that have no names of
+/// their own are one.
+std::optional<scene::AnimationFormat> animation_file_of(const RenderOptions& options,
+                                                        const OutputTemplate& output,
+                                                        const std::string& name) {
+  const std::optional<scene::AnimationFormat> format = scene::animation_format(name);
+  const bool is_still = output.has("frame") || !has_several_moments(options);
+  return format == scene::AnimationFormat::webp && is_still ? std::nullopt : format;
+}
+
 bool has_own_file(const RenderOptions& options) { return !options.output.empty() && !options.sheet; }
 
 /// "{model} and {shading}": placeholders for what differs from frame to frame that the template lacks.
@@ -110,7 +120,7 @@ std::string missing_placeholders(const RenderOptions& options, const OutputTempl
       {"model", options.files.size() > 1 && !output.has("folder")},
       {"shading", options.shadings.size() > 1},
       {"camera", options.all_cameras || options.cameras.size() > 1},
-      {"frame", has_several_moments(options)},
+      {"frame", has_several_moments(options) && !scene::animation_format(options.output)},
       {"view", options.views.size() > 1}};
   std::string missing;
   for (const auto& [placeholder, differs] : differing) {
@@ -121,23 +131,28 @@ std::string missing_placeholders(const RenderOptions& options, const OutputTempl
 }
 
 void check_format(const std::string& name) {
-  if (scene::is_writable_format(name)) return;
+  if (scene::is_writable_format(name) || scene::animation_format(name)) return;
   const std::string extension = std::filesystem::path(name).extension().string();
   throw UsageError("--output: '" + name + "': " +
                    (extension.empty() ? "has no extension"
                                       : "no picture format is known by the extension '" + extension + "'") +
-                   "; expected png, jpg, tif, exr or hdr, for example");
+                   "; expected png, jpg, tif, exr, hdr or gif, for example");
 }
 
 /// Every name of the call once, as far as they are known before the files are loaded.
 void check_names_differ(const RenderOptions& options) {
   std::map<std::string, std::string> label_by_name;
+  std::string animation;  // The one before, whose further frames have its name again
+  const int first = moments_of(options).front().number;
   for (const std::string& path : options.files) {
     FileFacts facts{path, 1, 1};
     for (const int camera : options.cameras) facts.cameras = std::max(facts.cameras, camera + 1);
     facts.animations = options.animation.value_or(0) + 1;
     for (const PlannedFrame& frame : plan_frames(options, facts)) {
       check_format(frame.output);
+      const bool goes_on = frame.animation_file && frame.output == animation && frame.number != first;
+      animation = frame.animation_file ? frame.output : "";
+      if (goes_on) continue;
       const std::string label = path + " " + std::string(name_of(frame.shading));
       const auto [other, is_new] = label_by_name.emplace(frame.output, label);
       if (is_new) continue;
@@ -149,7 +164,16 @@ void check_names_differ(const RenderOptions& options) {
 
 }  // namespace
 
-std::string model_name(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+scene::Scene read_model(const std::string& file, scene::ImportOptions import) {
+  import.from_standard_input = file == "-";
+  return scene::import_gltf(shown_file(file), import);
+}
+
+std::string shown_file(const std::string& file) { return file == "-" ? "<stdin>" : file; }
+
+std::string model_name(const std::string& path) {
+  return path == "-" ? "stdin" : std::filesystem::path(path).stem().string();
+}
 
 std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFacts& file) {
   const int animation = animation_of(options, file);
@@ -161,9 +185,10 @@ std::vector<PlannedFrame> plan_frames(const RenderOptions& options, const FileFa
       for (const auto& view : options.views) {
         for (const Moment& moment : moments) {
           PlannedFrame frame{shading, camera, moment.number, animation, moment.time_s, moment.azimuth_deg,
-                             "",      "",     view};
+                             "",      "",     view,          {}};
           frame.label = label_of(options, file.path, frame);
           if (has_own_file(options)) frame.output = output.expand(name_of_frame(file.path, frame));
+          frame.animation_file = animation_file_of(options, output, frame.output);
           frames.push_back(std::move(frame));
         }
       }
@@ -203,8 +228,9 @@ void check_output_names(const RenderOptions& options) {
     return;
   }
   if (output.is_standard_output()) {
-    if (missing.empty()) return;
-    throw UsageError("--output: '-': standard output holds one picture; several frames need --sheet");
+    if (missing.empty() || options.raw) return;
+    throw UsageError(
+        "--output: '-': standard output holds one picture; several frames need --sheet or --raw");
   }
   if (!missing.empty()) {
     throw UsageError("--output: '" + options.output + "': the frames need different names: add " + missing +

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/gltf/import_gltf.h"
+#include "pipeline/pictures/animation.h"
 #include "pipeline/scene/render_scene.h"
 #include "viewer/barrido/render_options.h"
 
@@ -23,6 +25,8 @@ struct PlannedFrame {
   std::string label;             ///< "teapot/phong", "teapot/phong/camera1/frame3".
   std::string output;            ///< File name; empty where there is none of its own (sheet, only --hash).
   std::optional<inspect::StructureView> view;  ///< None: the frame itself.
+  /// Set: `output` is an animation, which this frame is in with those that come before and after it.
+  std::optional<scene::AnimationFormat> animation_file;
 };
 
 /// What a plan must know of a file.
@@ -71,7 +75,13 @@ std::shared_ptr<const raster::Texture> load_environment(const RenderOptions& opt
 std::shared_ptr<const raster::Texture> load_heights(const scene::UserDisplacement& displacement,
                                                     scene::Budget* budget = nullptr);
 
-/// File name without folder and extension.
+/// Reads the model of a FILE of the command line; "-" is standard input. @throws InputError.
+scene::Scene read_model(const std::string& file, scene::ImportOptions import);
+
+/// "<stdin>" for "-", which is standard input; else the file's name as it is.
+std::string shown_file(const std::string& file);
+
+/// File name without folder and extension; "stdin" for standard input.
 std::string model_name(const std::string& path);
 
 }  // namespace barrido::cli

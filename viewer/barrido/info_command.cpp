@@ -5,6 +5,7 @@
 #include "viewer/barrido/call_limits.h"
 #include "viewer/barrido/commands.h"
 #include "viewer/barrido/console.h"
+#include "viewer/barrido/frame_plan.h"
 #include "viewer/barrido/help.h"
 #include "viewer/barrido/info_validate.h"
 #include "viewer/barrido/scene_summary.h"
@@ -68,10 +69,14 @@ int run_info(std::span<const std::string> words) {
   if (arguments.files.empty()) throw UsageError("info: no FILE given; see barrido info --help");
   if (arguments.files.size() > 1) throw UsageError("info: one FILE at a time");
   CallLimits limits(limits_of(arguments));
-  if (arguments.has(kValidate)) return validate(arguments.files[0], arguments.has(kJson), limits);
+  const std::string& file = arguments.files[0];
+  if (arguments.has(kValidate) && file == "-") {
+    throw UsageError("info: --validate reads a file several times, standard input can be read only once");
+  }
+  if (arguments.has(kValidate)) return validate(file, arguments.has(kJson), limits);
   scene::ImportOptions import;
-  import.budget = limits.open(arguments.files[0]);
-  const scene::Scene scene = scene::import_gltf(arguments.files[0], import);
+  import.budget = limits.open(shown_file(file));
+  const scene::Scene scene = read_model(file, import);
   const SceneSummary summary = summarize(scene);
   if (arguments.has(kJson)) {
     write_standard_output(bytes_of(info_json(scene, summary)));

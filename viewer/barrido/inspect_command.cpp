@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "pipeline/gltf/import_gltf.h"
 #include "pipeline/inspect/pixel_story.h"
 #include "pipeline/scene/scene_nodes.h"
 #include "raster/base/simd_target.h"
@@ -33,7 +32,7 @@ scene::RenderSettings settings_of_frame(const RenderOptions& options, const scen
   }
   const int root = scene::resolve_scene_index(scene, settings.scene_index);
   const auto cameras = scene::camera_nodes(scene, scene::nodes_of_scene(scene, root));
-  const FileFacts facts{options.files[0], static_cast<int>(cameras.size()),
+  const FileFacts facts{shown_file(options.files[0]), static_cast<int>(cameras.size()),
                         static_cast<int>(scene.animations.size())};
   return settings_of(settings, plan_frames(options, facts).front());
 }
@@ -56,12 +55,12 @@ int run_inspect(std::span<const std::string> words) {
   const double pixels = static_cast<double>(options.frame.settings.width) * options.frame.settings.height;
   limits.expect_frames(static_cast<std::uint64_t>(pixels) * 64);
   scene::ImportOptions import;
-  import.budget = limits.open(options.frame.files[0]);
+  import.budget = limits.open(shown_file(options.frame.files[0]));
   import.image_roles = kDrawnImages;
-  const scene::Scene scene = scene::import_gltf(options.frame.files[0], import);
+  const scene::Scene scene = read_model(options.frame.files[0], import);
   scene::SceneRenderer renderer(scene);
   const scene::RenderSettings settings = settings_of_frame(options.frame, scene, limits);
-  limits.draw(options.frame.files[0], pixels);
+  limits.draw(shown_file(options.frame.files[0]), pixels);
   const inspect::PixelStory story = inspect::inspect_pixel(scene, renderer, settings, options.x, options.y);
   limits.rest();
   ConsoleOptions console_options;

@@ -9,6 +9,7 @@
 #include <new>
 #include <set>
 
+#include "pipeline/files/write_file.h"
 #include "pipeline/gltf/import_gltf.h"
 #include "pipeline/pictures/image_io.h"
 #include "pipeline/scene/displacer.h"
@@ -123,33 +124,33 @@ void RenderCall::load_heights() {
 
 /// @return false when the file cannot be drawn and that has been told.
 bool RenderCall::render_file(const std::string& path) {
-  console_.set_progress("loading " + path);
+  console_.set_progress("loading " + shown_file(path));
   const Stopwatch watch;
   std::optional<scene::Scene> scene;
   std::vector<PlannedFrame> frames;
   try {
     scene::ImportOptions import;
     import.image_roles = kDrawnImages;
-    import.budget = limits_.open(path);
-    scene = scene::import_gltf(path, import);
+    import.budget = limits_.open(shown_file(path));
+    scene = read_model(path, import);
     frames = plan(*scene, path);
     for (const PlannedFrame& frame : frames) {
       refuse_inputs(frame.output, options_, path, *scene);
     }
   } catch (const std::exception& error) {
     const bool memory = is_out_of_memory(error);
-    if (options_.sheet && memory) throw scene::InputError(path, "", out_of_memory());
+    if (options_.sheet && memory) throw scene::InputError(shown_file(path), "", out_of_memory());
     if (options_.sheet) throw;
-    console_.error(memory ? path + ": " + out_of_memory() : error.what());
+    console_.error(memory ? shown_file(path) + ": " + out_of_memory() : error.what());
     return false;
   }
-  report_.models.push_back({path, watch.milliseconds()});
+  report_.models.push_back({shown_file(path), watch.milliseconds()});
   for (const std::string& warning : scene->warnings) console_.warning(warning);
   try {
-    render_frames(*scene, path, frames);
+    render_frames(*scene, shown_file(path), frames);
   } catch (const std::exception& error) {
     if (!is_out_of_memory(error)) throw;
-    throw scene::InputError(path, "", out_of_memory());
+    throw scene::InputError(shown_file(path), "", out_of_memory());
   }
   return true;
 }
@@ -181,6 +182,7 @@ void RenderCall::render_frames(const scene::Scene& scene, const std::string& pat
   stages.encode = [this](FrameInFlight& frame) { encode(frame); };
   stages.deliver = [this](FrameInFlight& frame) { deliver(frame); };
   run_frames(frames.size(), frames_in_flight(frame_bytes(settings_), thread_count()), stages);
+  finish_animation();
   limits_.rest();
 }
 
@@ -223,8 +225,9 @@ void RenderCall::draw(scene::SceneRenderer& renderer, const std::string& path, F
   }
   frame.framebuffer->depth() = {};  // Not written; the memory serves the next frame.
   frame.cost.draw_ms = watch.milliseconds();
-  frame.cost.name =
-      frame.plan->output.empty() || frame.plan->output == "-" ? frame.plan->label : frame.plan->output;
+  const bool has_file =
+      !frame.plan->output.empty() && frame.plan->output != "-" && !frame.plan->animation_file;
+  frame.cost.name = has_file ? frame.plan->output : frame.plan->label;
   frame.cost.model = path;
   frame.cost.shading = frame.plan->shading;
   frame.cost.width = frame.framebuffer->width();
@@ -237,7 +240,12 @@ void RenderCall::encode(FrameInFlight& frame) const {
   const Stopwatch watch;
   scene::WriteOptions write;
   write.png_compression = options_.png_compression;
-  if (frame.plan->output == "-") {
+  if (frame.plan->animation_file) {
+    frame.of_animation = scene::prepare_frame(*frame.plan->animation_file, view_of(*frame.framebuffer));
+  } else if (options_.raw) {
+    const std::span<const std::uint8_t> pixels = view_of(*frame.framebuffer).rgba8;
+    frame.encoded.assign(pixels.begin(), pixels.end());
+  } else if (frame.plan->output == "-") {
     frame.encoded = scene::encode_png(view_of(*frame.framebuffer), write);
   } else {
     scene::write_image(frame.plan->output, view_of(*frame.framebuffer), write);
@@ -245,7 +253,29 @@ void RenderCall::encode(FrameInFlight& frame) const {
   frame.cost.write_ms = watch.milliseconds();
 }
 
+void RenderCall::add_to_animation(FrameInFlight& frame) {
+  const std::string& name = frame.plan->output;
+  if (name != animation_name_) {
+    finish_animation();
+    animation_.emplace(*frame.plan->animation_file, name, options_.frames_per_second);
+    animation_name_ = name;
+  }
+  const Stopwatch watch;
+  animation_->add(*frame.of_animation);
+  frame.of_animation.reset();
+  frame.cost.write_ms += watch.milliseconds();
+}
+
+/// All frames are in it: it appears whole, or not at all where one has failed.
+void RenderCall::finish_animation() {
+  if (!animation_) return;
+  scene::write_file(animation_name_, animation_->finish());
+  animation_.reset();
+  animation_name_.clear();
+}
+
 void RenderCall::deliver(FrameInFlight& frame) {
+  if (frame.of_animation) add_to_animation(frame);
   if (!frame.encoded.empty()) {
     console_.end_progress();
     write_standard_output(frame.encoded);

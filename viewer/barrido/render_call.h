@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class RenderCall {
   void draw(scene::SceneRenderer& renderer, const std::string& path, FrameInFlight& frame);
   void encode(FrameInFlight& frame) const;
   void deliver(FrameInFlight& frame);
+  void add_to_animation(FrameInFlight& frame);
+  void finish_animation();
   void write_sheet();
   void print_costs(double total_ms);
 
@@ -51,6 +54,8 @@ class RenderCall {
   scene::RenderSettings settings_;
   CostReport report_;
   FrameSheet sheet_;
+  std::optional<scene::AnimationEncoder> animation_;  ///< That frames are being delivered to,
+  std::string animation_name_;                        ///< and its file.
 };
 
 /// Makes the folder that `path` lies in. @throws scene::InputError.

@@ -88,14 +88,13 @@ constexpr OptionValue always_written(OptionValue value) {
 }
 
 constexpr RenderOption kOutputOptions[] = {
-    with_short(
-        "-o",
-        option("--output", "OUT", kOutput,
-               "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
-               "output (PNG). May hold {model} {folder} {shading} {camera} {frame} {frame:04} {view}; {{ "
-               "is a brace. Folders that are missing are made. May be left out with --hash or "
-               "--stats.",
-               parsed<&Options::output, stored, copied>())),
+    with_short("-o", option("--output", "OUT", kOutput,
+                            "File to write: png, jpg, tif, exr, hdr and more by its extension; - is standard "
+                            "output (PNG). --turntable and --frames make gif and webp an animation. May hold "
+                            "{model} {folder} {shading} {camera} {frame} {frame:04} {view}; {{ "
+                            "is a brace. Folders that are missing are made. May be left out with --hash or "
+                            "--stats.",
+                            parsed<&Options::output, stored, copied>())),
     option("--resolution", "W,H", kPicture, "Size in pixels, each in 1..16384. Default 1280,720.",
            always_written(custom<read_resolution, resolution_text>()), no_editor("the window has its size")),
     option(
@@ -107,6 +106,11 @@ constexpr RenderOption kOutputOptions[] = {
         choices<&Options::views, 1>(), kViewEditor),
     option("--sheet", "", kOutput, "All frames of the call in one picture, each with its name.",
            flag<&Options::sheet>()),
+    option(
+        "--raw", "", kOutput,
+        "With -o -: all frames one after the other as bare pixels (8-bit RGBA, top row first), for programs "
+        "that make films.",
+        flag<&Options::raw>()),
     option("--compression", "N", kOutput, "Of PNG, 0 (none) to 9 (smallest). Default 1.",
            number<&Options::png_compression>(0, 9)),
     option("--hash", "", kOutput,
@@ -144,6 +148,10 @@ constexpr RenderOption kShadingOptions[] = {
            slider("smooth normals", {0, 180}, "%.0f deg", 40.0f)),
     option("--cull", "FACES", kPicture, "none, back or front. Default: as the materials say.",
            choice<&Settings::cull, 3>(), list("culling", "the materials'")),
+    option("--transparency", "WAY", kPicture,
+           "Order of transparent surfaces: sorted (default: triangles by the distance of their middles) or "
+           "exact (by depth in each pixel, also where surfaces pass through each other; up to 64 layers).",
+           choice<&Settings::transparency>(), widget("transparency")),
     option("--wireframe", "", kPicture, "Draw edges only.", flag<&Settings::wireframe>(),
            widget("wireframe")),
     option("--edges", "", kPicture, "Draw edges over the surfaces.", flag<&Overlays::edges>(),
@@ -263,9 +271,9 @@ constexpr RenderOption kCameraOptions[] = {
         "--camera-position", "X,Y,Z", kPicture,
         "Where the eye is, in place of the file's camera; of one that --camera-index names, the view angle "
         "and the near and far plane stay.",
-        vector<&Camera::position>(), by_hand("Camera")),
+        parsed<&Camera::position, parse_place, shortest>(), by_hand("Camera")),
     option("--camera-focal-point", "X,Y,Z", kPicture, "What the eye looks at. Default: the model's middle.",
-           vector<&Camera::focal_point>(), by_hand("Camera")),
+           parsed<&Camera::focal_point, parse_place, shortest>(), by_hand("Camera")),
     option("--camera-view-angle", "DEG", kPicture, "Vertical field of view, 1..170.",
            number<&Camera::view_angle_deg>(1, 170), by_hand("Camera")),
     option("--camera-up", "X,Y,Z", kPicture,
@@ -293,7 +301,9 @@ constexpr RenderOption kAnimationOptions[] = {
            number<&Options::time_s>(0, 1e6), by_hand("Animation")),
     option("--frames", "A:B", kOutput, "Frames A to B, both included; frame n is the moment n/FPS.",
            parsed<&Options::frames, parse_frames, frames_text>()),
-    option("--fps", "FPS", kOutput, "Frames a second for --frames and --shutter, 0.001..1000. Default 30.",
+    option("--fps", "FPS", kOutput,
+           "Frames a second for --frames and --shutter, and of animations that are written, 0.001..1000. "
+           "Default 30.",
            number<&Options::frames_per_second>(0.001, 1000)),
     option("--animation", "N", kPicture, "Which animation of the file, from 0. Default 0.",
            number<&Options::animation>(0, 1'000'000), by_hand("Animation")),

@@ -55,13 +55,14 @@ constexpr Exclusion kExclusions[] = {
     {"--lens-radius", "--f-stop"},
     {"--focus-distance", "--focus-pixel"},
     {"--camera-view-angle", "--orthographic-height"},
+    {"--sheet", "--raw"},
 };
 
 struct Need {
   std::string_view option, needs;
 };
 
-constexpr Need kNeeds[] = {{"--sheet", "--output"}};
+constexpr Need kNeeds[] = {{"--sheet", "--output"}, {"--raw", "--output"}};
 
 void check_combinations(const Given& given) {
   for (const Exclusion& pair : kExclusions) {
@@ -81,6 +82,9 @@ void check_combinations(const Given& given) {
       throw UsageError(std::string(need.option) + ": only with " + std::string(need.needs));
     }
   }
+  if (given("--fps") && !given("--frames") && !given("--turntable")) {
+    throw UsageError("--fps: only with --frames or --turntable");
+  }
 }
 
 void check_frame(const RenderOptions& options, const Given& given, const std::string& command,
@@ -90,6 +94,9 @@ void check_frame(const RenderOptions& options, const Given& given, const std::st
   }
   for (const std::string& file : options.files) {
     if (file.empty()) throw UsageError(command + ": a FILE with an empty name");
+  }
+  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+    throw UsageError(command + ": standard input, -, can be read only once");
   }
   check_combinations(given);
   const scene::SampleChoice& samples = options.settings.samples;
@@ -177,6 +184,7 @@ RenderOptions parse_render_options(std::span<const std::string> words) {
     throw UsageError("render: no output given; say -o OUT (or only --hash or --stats)");
   }
   if (given("--output")) check_output(options);
+  if (options.raw && options.output != "-") throw UsageError("--raw: goes to standard output, -o -, alone");
   return options;
 }
 

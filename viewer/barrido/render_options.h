@@ -49,6 +49,7 @@ struct RenderOptions {
   std::vector<pipeline::ShadeModel> shadings{pipeline::ShadeModel::phong};
   std::vector<std::optional<inspect::StructureView>> views{std::nullopt};  ///< None: the picture itself.
   bool sheet = false;
+  bool raw = false;  ///< Frames go to standard output as bare pixels.
   bool hash = false;
   bool quiet = false;
   StatsFormat stats = StatsFormat::none;

@@ -34,6 +34,14 @@ std::string shortest_double(double number) {
 
 std::string shortest(const glm::vec3& v) { return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z); }
 
+std::string shortest(const glm::dvec3& v) {
+  const auto text = [](double c) {
+    const auto rounded = static_cast<float>(c);
+    return double{rounded} == c ? shortest(rounded) : shortest_double(c);
+  };
+  return text(v.x) + "," + text(v.y) + "," + text(v.z);
+}
+
 std::size_t character_count(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));

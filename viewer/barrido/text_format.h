@@ -20,6 +20,7 @@ std::string shortest(float number);
 std::string shortest_double(double number);
 /// "0.1,2,3"
 std::string shortest(const glm::vec3& v);
+std::string shortest(const glm::dvec3& v);
 
 /// `text` with blanks before or after it to `width` characters (of UTF-8).
 std::string left(std::string text, std::size_t width);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "pipeline/scene/view.h"
 #include "viewer/barrido/text_format.h"
 
 namespace barrido::cli {
@@ -14,6 +15,19 @@ bool read_all(std::string_view text, Number& number) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size();
+}
+
+template <class Number>
+bool read_numbers(std::string_view text, std::span<Number> into, double least, double most) {
+  const std::vector<std::string_view> pieces = split(text, ',');
+  if (pieces.size() != into.size()) return false;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    double number = 0.0;
+    if (!read_all(pieces[i], number) || !std::isfinite(number)) return false;
+    if (number < least || number > most) return false;
+    into[i] = static_cast<Number>(number);
+  }
+  return true;
 }
 
 }  // namespace
@@ -49,20 +63,21 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 bool parse_numbers(std::string_view text, std::span<float> into, double least, double most) {
-  const std::vector<std::string_view> pieces = split(text, ',');
-  if (pieces.size() != into.size()) return false;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    double number = 0.0;
-    if (!read_all(pieces[i], number) || !std::isfinite(number)) return false;
-    if (number < least || number > most) return false;
-    into[i] = static_cast<float>(number);
-  }
-  return true;
+  return read_numbers(text, into, least, most);
+}
+
+bool parse_numbers(std::string_view text, std::span<double> into, double least, double most) {
+  return read_numbers(text, into, least, most);
 }
 
 glm::vec3 parse_point(std::string_view text) {
   const auto [x, y, z] = parse_tuple<3>(text, "X,Y,Z", -kAnyNumber, kAnyNumber);
   return {x, y, z};
+}
+
+glm::dvec3 parse_place(std::string_view text) {
+  const auto [x, y, z] = parse_tuple<3, double>(text, "X,Y,Z", -kAnyNumber, kAnyNumber);
+  return scene::kept_place({x, y, z});
 }
 
 glm::vec3 parse_direction(std::string_view text) {

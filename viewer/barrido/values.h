@@ -42,13 +42,14 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// Exactly as many numbers as `into` holds, comma between them, each in [least, most].
 /// @return false when there are fewer, more, or other things.
 bool parse_numbers(std::string_view text, std::span<float> into, double least, double most);
+bool parse_numbers(std::string_view text, std::span<double> into, double least, double most);
 
 /// parse_numbers or a complaint. `form` is what the help calls the value, as "R,G,B".
 /// @throws ValueError "expected R,G,B, 3 numbers in 0..1".
-template <std::size_t Count>
-std::array<float, Count> parse_tuple(std::string_view text, std::string_view form, double least,
-                                     double most) {
-  std::array<float, Count> values{};
+template <std::size_t Count, class Number = float>
+std::array<Number, Count> parse_tuple(std::string_view text, std::string_view form, double least,
+                                      double most) {
+  std::array<Number, Count> values{};
   if (!parse_numbers(text, values, least, most)) {
     throw ValueError("expected " + std::string(form) + ", " + std::to_string(Count) + " numbers" +
                      range_text(least, most));
@@ -58,6 +59,9 @@ std::array<float, Count> parse_tuple(std::string_view text, std::string_view for
 
 /// X,Y,Z of any finite size. @throws ValueError.
 glm::vec3 parse_point(std::string_view text);
+
+/// X,Y,Z of any finite size, as scene::CameraChoice holds places. @throws ValueError.
+glm::dvec3 parse_place(std::string_view text);
 
 /// parse_point, but not 0,0,0. @throws ValueError.
 glm::vec3 parse_direction(std::string_view text);

@@ -66,6 +66,7 @@ std::vector<std::pair<bool, const char*>> rules_of(const pipeline::State& state)
                                                      unit.min_filter == raster::MinFilter::corners);
                 }),
        "filters of a pixel's footprint"},
+      {state.sorted, "transparency exact in each pixel"},
   };
 }
 

@@ -127,9 +127,9 @@ void set_camera(scene::CameraChoice& choice, const Eye& eye, bool of_file) {
   choice = {};
   choice.up = up;
   choice.ignore_file_cameras = true;
-  choice.position = glm::vec3(eye.position);
-  choice.focal_point = glm::vec3(eye.focal_point);
-  if (*choice.position == *choice.focal_point) *choice.position += glm::vec3(0, 0, 1);
+  choice.position = scene::kept_place(eye.position);
+  choice.focal_point = scene::kept_place(eye.focal_point);
+  if (*choice.position == *choice.focal_point) *choice.position += glm::dvec3(0, 0, 1);
   if (!is_level(eye, unit_or(glm::dvec3(up), {0, 1, 0}))) choice.view_up = glm::vec3(eye.up);
   if (eye.orthographic) {
     choice.orthographic_height = static_cast<float>(eye.half_height * 2.0);

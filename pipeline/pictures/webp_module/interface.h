@@ -13,8 +13,10 @@ extern "C" {
 #endif
 
 /* Raised whenever anything below changes its meaning. */
-#define BARRIDO_WEBP_INTERFACE_VERSION 1
+#define BARRIDO_WEBP_INTERFACE_VERSION 2
 #define BARRIDO_WEBP_ENTRY "barrido_webp_functions"
+
+typedef struct BarridoWebpWriter BarridoWebpWriter;
 
 typedef struct BarridoWebpFunctions {
   int32_t version; /* BARRIDO_WEBP_INTERFACE_VERSION */
@@ -25,6 +27,14 @@ typedef struct BarridoWebpFunctions {
      failure; the contents of `rgba` are undefined then. */
   int (*decode)(const uint8_t* bytes, size_t size, int32_t width, int32_t height, uint8_t* rgba,
                 BarridoModuleError* error);
+  /* An animation in memory that is repeated for ever; every frame is kept without loss. Null on failure. */
+  BarridoWebpWriter* (*open)(int32_t width, int32_t height, BarridoModuleError* error);
+  /* A frame of straight RGBA, top row first, seen from `begin_ms` on. 0 on failure. */
+  int (*add)(BarridoWebpWriter* writer, const uint8_t* rgba, int32_t begin_ms, BarridoModuleError* error);
+  /* The whole file, which belongs to the writer; the last frame is seen until `end_ms`. 0 on failure. */
+  int (*finish)(BarridoWebpWriter* writer, int32_t end_ms, const uint8_t** bytes, size_t* size,
+                BarridoModuleError* error);
+  void (*close)(BarridoWebpWriter* writer);
 } BarridoWebpFunctions;
 
 /* The module's one symbol. */

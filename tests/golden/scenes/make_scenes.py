@@ -170,6 +170,15 @@ def transparent_order(s):
     s.camera()
 
 
+def crossing_panes(s):
+    """Each pane lies partly before and partly behind both others."""
+    for i, color in enumerate([(0.9, 0.2, 0.2, 0.6), (0.2, 0.8, 0.3, 0.6), (0.2, 0.3, 0.9, 0.6)]):
+        turn = math.radians(20 + 60 * i)
+        add_square(s, s.material(color, alphaMode="BLEND", doubleSided=True), 1.0,
+                   rotation=[0, math.sin(turn / 2), 0, math.cos(turn / 2)])
+    s.camera()
+
+
 def vertex_colors(s):
     mesh = s.mesh(square(), SQUARE_NORMALS, None, SQUARE_INDICES, s.material((1, 1, 1, 1), alphaMode="BLEND"))
     colors = [(255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255, 255, 255, 0)]
@@ -251,6 +260,30 @@ def cameras(s):
            translation=eye, rotation=unit(turn))
     s.node(camera=s.add("cameras", {"type": "orthographic", "orthographic": {"xmag": 2.4, "ymag": 2.0, "znear": 0.1, "zfar": 50}}),
            translation=eye, rotation=unit(turn))
+
+
+def moving_properties(s):
+    """A colour, a texture's place, a light's cone and a camera's angle move (KHR_animation_pointer)."""
+    s.uses("KHR_animation_pointer", "KHR_texture_transform", "KHR_lights_punctual")
+    add_square(s, s.material((1, 0, 0, 1)), 0.8, translation=[-1, 0, 0])
+    turned = {"index": s.texture(), "extensions": {"KHR_texture_transform": {"scale": [0.5, 0.5]}}}
+    add_square(s, s.material((1, 1, 1, 1), texture=turned), 0.8, translation=[1, 0, 0])
+    spot = {"type": "spot", "intensity": 30, "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.2}}
+    s.root["extensions"] = {"KHR_lights_punctual": {"lights": [spot]}}
+    s.node(translation=[0, 0, 3], extensions={"KHR_lights_punctual": {"light": 0}})
+    s.camera(4)
+    animation = {"samplers": [], "channels": []}
+    for pointer, values in [("/materials/0/pbrMetallicRoughness/baseColorFactor", [(1, 0, 0, 1), (0, 0, 1, 1)]),
+                            ("/materials/1/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset",
+                             [(0, 0), (1, 0.5)]),
+                            ("/materials/1/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/rotation",
+                             [0.0, 1.0]),
+                            ("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", [0.2, 1.2]),
+                            ("/cameras/0/perspective/yfov", [0.6, 1.0])]:
+        animation["channels"].append({"sampler": len(animation["samplers"]), "target": {
+            "path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}})
+        animation["samplers"].append({"input": s.accessor([0.0, 1.0], bounds=True), "output": s.accessor(values)})
+    s.add("animations", animation)
 
 
 def unit(q):
@@ -456,7 +489,7 @@ def latitude_longitude(x, y):
 
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent
-    for make in [alpha_modes, transparent_order, vertex_colors, skin, morph, interpolations, cameras, quantization,
+    for make in [alpha_modes, transparent_order, crossing_panes, vertex_colors, skin, morph, interpolations, moving_properties, cameras, quantization,
                  texture_transform, sparse, unlit, double_sided, primitive_modes, punctual_lights, second_texcoords,
                  mirrored_node, samplers, emission, metal_and_roughness, no_normals, two_scenes, extras, mirror_ball]:
         scene = Scene()

@@ -122,6 +122,7 @@ void RandomOptions::set_looks(scene::RenderSettings& s) {
   s.textures = coin();
   s.maps.drawn = coin();
   s.wireframe = coin();
+  s.transparency = static_cast<scene::Transparency>(whole(2));
   s.overlays = {coin(), coin(), coin(), coin()};
   s.color_management = static_cast<scene::ColorManagement>(whole(2));
   s.exposure_ev = coin() ? number(32.0f) : 0.0f;
@@ -268,6 +269,7 @@ void expect_same(const cli::RenderOptions& a, const cli::RenderOptions& b) {
   EXPECT_SAME(settings.background);
   EXPECT_SAME(settings.cull);
   EXPECT_SAME(settings.wireframe);
+  EXPECT_SAME(settings.transparency);
   EXPECT_SAME(settings.overlays.edges);
   EXPECT_SAME(settings.overlays.normals);
   EXPECT_SAME(settings.overlays.light_markers);

@@ -123,7 +123,7 @@ TEST(FramePlan, MissingPlaceholdersAreNamed) {
   EXPECT_EQ(name_complaint({"a.glb", "-o", "x.png", "--camera-index", "all"}),
             "--output: 'x.png': the frames need different names: add {camera}, or use --sheet");
   EXPECT_EQ(name_complaint({"a.glb", "b.glb", "-o", "-"}),
-            "--output: '-': standard output holds one picture; several frames need --sheet");
+            "--output: '-': standard output holds one picture; several frames need --sheet or --raw");
   EXPECT_EQ(name_complaint({"a.glb", "b.glb", "-o", "-", "--sheet"}), "");
   EXPECT_EQ(name_complaint({"a.glb", "-o", "-", "--turntable", "1"}), "");
   EXPECT_EQ(name_complaint({"a.glb", "b.glb", "--hash"}), "");
@@ -152,12 +152,12 @@ TEST(FramePlan, EqualNamesAreRefused) {
 TEST(FramePlan, FormatsAreKnownBeforeAnythingIsLoaded) {
   EXPECT_EQ(
       name_complaint({"a.glb", "-o", "a.xyz"}),
-      "--output: 'a.xyz': no picture format is known by the extension '.xyz'; expected png, jpg, tif, exr or "
-      "hdr, for example");
+      "--output: 'a.xyz': no picture format is known by the extension '.xyz'; expected png, jpg, tif, exr, "
+      "hdr or gif, for example");
   EXPECT_EQ(name_complaint({"a.glb", "-o", "picture"}),
-            "--output: 'picture': has no extension; expected png, jpg, tif, exr or hdr, for example");
+            "--output: 'picture': has no extension; expected png, jpg, tif, exr, hdr or gif, for example");
   EXPECT_EQ(name_complaint({"a.glb", "-o", "a", "--sheet"}),
-            "--output: 'a': has no extension; expected png, jpg, tif, exr or hdr, for example");
+            "--output: 'a': has no extension; expected png, jpg, tif, exr, hdr or gif, for example");
   for (const char* name : {"a.png", "a.jpg", "a.jpeg", "a.PNG", "a.tif", "a.exr", "a.hdr"}) {
     EXPECT_EQ(name_complaint({"a.glb", "-o", name}), "") << name;
   }

@@ -54,6 +54,11 @@ Outcome run(const std::vector<std::string>& words, const RunOptions& options) {
     } else {
       redirect(STDOUT_FILENO, out);
     }
+    if (!options.in_path.empty()) {
+      const int file = open(options.in_path.c_str(), O_RDONLY);
+      if (file < 0 || dup2(file, STDIN_FILENO) < 0) _exit(95);
+      close(file);
+    }
     limit_memory(options.memory_bytes);
     become_program(words, options.folder);
   }

@@ -50,6 +50,37 @@ TEST_F(RenderFiles, ABrokenFile) {
   expect_error({"broken.gltf", "-o", "a.png"}, "broken.gltf: ", {"broken.gltf", "square.gltf"});
 }
 
+TEST_F(RenderFiles, AnAnimationIsOneFileForAllMoments) {
+  const Words turn{"square.gltf", "--turntable", "3", "--resolution", "32,24"};
+  for (const char* name : {"turn.gif", "turn.webp"}) {
+    Words words = turn;
+    words.insert(words.end(), {"-o", name, "--fps", "10"});
+    const Outcome outcome = render(words);
+    if (outcome.error.find("needs the module") != std::string::npos) GTEST_SKIP() << outcome.error;
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+  }
+  EXPECT_EQ(folder_.files(), (Words{"square.gltf", "turn.gif", "turn.webp"}));
+  EXPECT_EQ(read_text(folder_.path() / "turn.gif").substr(0, 6), "GIF89a");
+  EXPECT_EQ(read_text(folder_.path() / "turn.webp").substr(8, 8), "WEBPVP8X");
+  EXPECT_EQ(read_text(folder_.path() / "turn.webp").substr(30, 4), "ANIM");
+  // Several of them, each whole.
+  EXPECT_EQ(render({"square.gltf", "--turntable", "2", "--resolution", "32,24", "--shading", "flat,phong",
+                    "-o", "{shading}.gif"})
+                .status,
+            0);
+  EXPECT_EQ(folder_.files(), (Words{"flat.gif", "phong.gif", "square.gltf", "turn.gif", "turn.webp"}));
+}
+
+TEST_F(RenderFiles, AnAnimationThatCannotBeFinishedLeavesNothing) {
+  // More pixels a side than either format holds; the folder that was made stays.
+  expect_error({"square.gltf", "--turntable", "2", "--resolution", "16384,1", "-o", "turn.webp"},
+               "turn.webp: an animation has at most 16383 pixels a side");
+  expect_error({"square.gltf", "--turntable", "2", "--shading", "all", "-o", "turn.gif"},
+               "--output: 'turn.gif': the frames need different names: add {shading}");
+  expect_error({"square.gltf", "square.gltf", "--turntable", "2", "-o", "{model}.gif"},
+               "square.gif: two frames would have this name");
+}
+
 TEST_F(RenderFiles, ABrokenFileAmongGoodOnesStopsOnlyItself) {
   write_text(folder_.path() / "broken.gltf", "no");
   const Outcome outcome = render({"missing.glb", "broken.gltf", "square.gltf", "-o", "{model}.png"});

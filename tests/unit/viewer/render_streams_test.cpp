@@ -70,10 +70,68 @@ TEST_F(RenderStreams, NoWindowSystemIsMappedWhileAGlbBecomesAPng) {
   EXPECT_EQ(wait_for(running.process), 0);
   ASSERT_GT(picture.size(), 1u << 20) << "the program may have ended before it was looked at";
   ASSERT_NE(maps.find("libtbb"), std::string::npos) << "this is not the program's map";
-  for (const char* library : {"libGL", "libEGL", "libX11", "libxcb", "libwayland", "libglfw",
-                              "libOpenImageIO", "libOSMesa", "libopencv"}) {
+  for (const char* library :
+       {"libGL", "libEGL", "libX11", "libxcb", "libwayland", "libglfw", "libOpenImageIO", "libOSMesa",
+        "libopencv", "libwebp", "libgif", "libdraco", "libmeshoptimizer", "barrido_"}) {
     EXPECT_EQ(maps.find(library), std::string::npos) << library;
   }
+}
+
+TEST_F(RenderStreams, AModelFromStandardInput) {
+  RunOptions options{folder_.path(), "", false, 0, (folder_.path() / "bumps.glb").string()};
+  const Words size{"--resolution", "64,48", "--hash"};
+  const auto hash_of = [&](Words words) {
+    words.insert(words.end(), size.begin(), size.end());
+    const Outcome outcome = run(words, options);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    return outcome.out.substr(0, outcome.out.find(' '));
+  };
+  EXPECT_EQ(hash_of({"render", "-"}), hash_of({"render", "bumps.glb"}));
+  EXPECT_EQ(run({"render", "-", "-o", "{model}.png", "--resolution", "64,48"}, options).status, 0);
+  EXPECT_NE(read_text(folder_.path() / "stdin.png"), "");
+  EXPECT_EQ(run({"info", "-"}, options).status, 0);
+  EXPECT_EQ(run({"inspect", "-", "--pixel", "3,4"}, options).status, 0);
+  const Outcome twice = run({"render", "-", "-", "--hash"}, options);
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_EQ(lines_of(twice.error)[0], "barrido: render: standard input, -, can be read only once");
+  EXPECT_EQ(run({"info", "--validate", "-"}, options).status, 2);
+}
+
+TEST_F(RenderStreams, ModelsFromStandardInputNameNoFiles) {
+  write_text(
+      folder_.path() / "outside.gltf",
+      R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("buffers":[{"uri":"bumps.glb","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],)"
+      R"("max":[1,1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]})");
+  RunOptions options{folder_.path(), "", false, 0, (folder_.path() / "outside.gltf").string()};
+  const Outcome outside = run({"render", "-", "--hash"}, options);
+  EXPECT_EQ(outside.status, 2);
+  EXPECT_EQ(outside.error,
+            "barrido: <stdin>: buffers[0] (bumps.glb): a model from standard input has no folder to read it "
+            "from\n");
+  options.in_path = "/dev/null";
+  const Outcome nothing = run({"render", "-", "--hash"}, options);
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_EQ(nothing.error.rfind("barrido: <stdin>: ", 0), 0u) << nothing.error;
+}
+
+TEST_F(RenderStreams, BarePixelsAreThoseOfThePictures) {
+  const Outcome raw =
+      run({"render", "bumps.glb", "-o", "-", "--raw", "--turntable", "3", "--resolution", "64,48"},
+          {folder_.path(), "", false, 0});
+  EXPECT_EQ(raw.status, 0) << raw.error;
+  ASSERT_EQ(raw.out.size(), 3u * 64 * 48 * 4);
+  EXPECT_EQ(run({"render", "bumps.glb", "-o", "f{frame}.png", "--turntable", "3", "--resolution", "64,48"},
+                {folder_.path(), "", false, 0})
+                .status,
+            0);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const scene::Image image = scene::read_image(folder_.path() / ("f" + std::to_string(n) + ".png"));
+    const std::string pixels(reinterpret_cast<const char*>(image.rgba.data()), image.rgba.size());
+    EXPECT_TRUE(pixels == raw.out.substr(n * pixels.size(), pixels.size())) << n;
+  }
+  EXPECT_EQ(run({"render", "bumps.glb", "-o", "a.png", "--raw"}, {folder_.path(), "", false, 0}).status, 2);
 }
 
 TEST_F(RenderStreams, AReaderThatLeavesIsAnError) {
