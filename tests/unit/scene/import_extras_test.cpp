@@ -8,6 +8,11 @@
 namespace barrido::scene::test {
 namespace {
 
+const char* const kPicture =
+    "data:image/"
+    "png;base64,iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAAEElEQVR42mM4ESACRwzEcQDzAxLBrjWe+gAAAABJRU5E"
+    "rkJggg==";
+
 Model with_extras(const json& material, const json& light, const json& scene) {
   Model model = triangle();
   model.document["materials"] = {{{"extras", {{"barrido", material}}}}};
@@ -15,6 +20,8 @@ Model with_extras(const json& material, const json& light, const json& scene) {
   model.document["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "point"}, {"extras", {{"barrido", light}}}}};
   model.document["scenes"][0]["extras"]["barrido"] = scene;
+  model.document["images"] = {{{"uri", kPicture}}};
+  model.document["textures"] = {{{"source", 0}}, {{"source", 0}}};
   return model;
 }
 
@@ -223,6 +230,9 @@ json written_form(const gltf::Property& row) {
       for (std::string word; std::getline(words, word, '|');) choices.push_back(word);
       return {{"enum", choices}};
     }
+    case gltf::Kind::integer:
+    case gltf::Kind::index:
+      return {{"type", "integer"}, {"minimum", 0}};
     case gltf::Kind::object:
       return written_form(*row.schema);
     default:
@@ -264,7 +274,8 @@ json sample(const gltf::Property& row) {
   if (row.name == "texture") return {{"procedure", "marble"}};
   if (row.name == "mapping") return {{"surface", "box"}};
   if (row.kind == gltf::Kind::integer) return 3;
-  return {{"mode", "linear"}};
+  if (row.kind == gltf::Kind::index) return 1;
+  return row.name == "fog" ? json{{"mode", "linear"}} : json{{"index", 0}};
 }
 
 /// Everything that extras.barrido can set, as text.
@@ -275,6 +286,11 @@ std::string settings_of(const Scene& scene) {
   for (const auto* color : {&material.ambient, &material.diffuse, &material.specular, &material.emission}) {
     put(*color);
   }
+  const Material& maps = scene.materials[0];
+  for (const TextureUse* use : {&maps.bump.texture, &maps.transparency_texture, &maps.specularity_texture}) {
+    text << use->texture << ' ' << use->texcoord_set << ' ';
+  }
+  text << maps.bump.height << ' ' << static_cast<int>(maps.bump.form) << ' ';
   const Light& light = scene.lights[0];
   const SceneSettings& settings = scene.scenes[0].settings;
   put(light.attenuation);
@@ -317,6 +333,11 @@ TEST(ImportExtras, EveryRowOfTheTableIsRead) {
   };
   expect_read(barrido_of_materials(), kNothing,
               [](const json& value) { return with_extras(value, kNothing, kNothing); });
+  for (const char* name : {"bump", "transparencyTexture", "specularityTexture"}) {
+    expect_read(schema_at(barrido_of_materials(), name), {{"index", 0}}, [&](const json& value) {
+      return with_extras({{name, value}}, kNothing, kNothing);
+    });
+  }
   expect_read(barrido_of_lights(), kNothing,
               [](const json& value) { return with_extras(kNothing, value, kNothing); });
   expect_read(barrido_of_scenes(), kNothing,
