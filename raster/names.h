@@ -6,6 +6,7 @@
 #include "raster/fragments/primitive.h"
 #include "raster/textures/texture.h"
 #include "raster/tiles/framebuffer.h"
+#include "raster/tiles/samples.h"
 
 namespace barrido {
 
