@@ -81,7 +81,9 @@ double SolidHeights::at(const glm::dvec3& place) const {
 PictureHeights::PictureHeights(const HeightMap& heights, double texels_apart) {
   unit_.texture = heights.picture;
   unit_.min_filter = raster::MinFilter::linear_mipmap_linear;
-  lod_ = portable_log2(static_cast<float>(std::clamp(texels_apart, 1e-6, 1e6)));
+  // The mean edge of a grid of right triangles is so much longer than the distance of its points.
+  constexpr double kEdgeOverGrid = (2.0 + 1.41421356237309505) / 3.0;
+  lod_ = portable_log2(static_cast<float>(std::clamp(texels_apart / kEdgeOverGrid, 1e-6, 1e6)));
 }
 
 double PictureHeights::at(const glm::dvec2& uv) const {

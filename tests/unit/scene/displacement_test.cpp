@@ -254,10 +254,11 @@ TEST(Displacement, HeightsComeFromAProcedure) {
   heights.solid->pattern.octaves = 3;
   heights.solid->scale = 0.5f;
   heights.by = {0.8f, -0.4f, 0};
-  const auto geometry = prepare(box(), std::nullopt);
+  const Primitive source = box();
+  const auto geometry = prepare(source, std::nullopt);
   // Edges are 2 or 2√2 long: (2 + 2 + 2√2)/3 in the mean, in cells of ½ with 8 points each.
   EXPECT_EQ(displacement_pieces(*geometry, heights, std::uint64_t{1} << 40), 37);
-  const auto moved = displaced(box(), heights, 9);
+  const auto moved = displaced(box(), heights, 24);
   expect_watertight(*moved, "noise");
   float least = 1, most = -1;
   for (const float amount : moved->displaced.amount) {
@@ -271,7 +272,8 @@ TEST(Displacement, HeightsComeFromAProcedure) {
 
 TEST(Displacement, PiecesAreATexelLongWhereMemoryAllows) {
   const raster::Texture picture = bumps();
-  const auto geometry = prepare(box(), std::nullopt);
+  const Primitive source = box();
+  const auto geometry = prepare(source, std::nullopt);
   HeightMap heights;
   heights.picture = &picture;
   const int wanted = displacement_pieces(*geometry, heights, std::uint64_t{1} << 40);
