@@ -17,6 +17,9 @@ int run_render(std::span<const std::string> words);
 /// `barrido inspect FILE --pixel X,Y`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_inspect(std::span<const std::string> words);
 
+/// `barrido lab sampling FILE`. @throws UsageError, std::bad_alloc, scene::InputError.
+int run_lab(std::span<const std::string> words);
+
 /// `barrido info FILE [--json] [--validate]`. @throws UsageError, std::bad_alloc, scene::InputError.
 int run_info(std::span<const std::string> words);
 

@@ -12,6 +12,7 @@ std::string version_text();  ///< "barrido 0.1.0\n"
 std::string general_help();
 std::string render_help();
 std::string inspect_help();
+std::string lab_help();
 std::string info_help();
 std::string diff_help();
 

@@ -29,12 +29,13 @@ int run(const std::vector<std::string>& words) {
   const std::span<const std::string> rest(words.begin() + 1, words.end());
   if (command == "render") return run_render(rest);
   if (command == "inspect") return run_inspect(rest);
+  if (command == "lab") return run_lab(rest);
   if (command == "info") return run_info(rest);
   if (command == "diff") return run_diff(rest);
   if (command == "--version" || command == "-V") return print(version_text());
   if (command == "help" && !rest.empty()) return run({rest[0], "--help"});
   if (command == "--help" || command == "-h" || command == "help") return print(general_help());
-  constexpr std::array<std::string_view, 6> kCommands{"render", "inspect", "info",
+  constexpr std::array<std::string_view, 7> kCommands{"render", "inspect", "info",     "lab",
                                                       "diff",   "--help",  "--version"};
   const bool is_option = command.size() > 1 && command[0] == '-';
   throw UsageError((is_option ? "unknown option '" : "unknown command '") + command + "'" +
