@@ -276,7 +276,12 @@ class TileRasterizer {
 void rasterize_placed(const TileJob& job, TileWorkspace& workspace) {
   const TileArea tile{job.column * kTileWidth, job.row * kTileHeight, job.width, job.height, {}};
   SpanShader shader(workspace, tile, job.places);
+  const auto blend_layers = [&] {
+    if (workspace.batch.count > 0 && workspace.key->sorted) shader.flush();
+    workspace.layers.blend(workspace.surface);
+  };
   for (const BinnedChunk* binned : *job.chunks) {
+    if (!binned->key().sorted) blend_layers();
     const PrimitiveChunk& chunk = binned->chunk();
     const ScissorBox scissor = scissor_in(chunk.state->scissor, tile);
     shader.begin_chunk(*binned);
@@ -289,6 +294,7 @@ void rasterize_placed(const TileJob& job, TileWorkspace& workspace) {
       if (binned->key().late_depth) shader.flush();
     }
   }
+  blend_layers();
   shader.flush();
 }
 

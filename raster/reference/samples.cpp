@@ -50,6 +50,7 @@ Framebuffer draw_placed(std::span<const PrimitiveChunk* const> chunks, const Cle
                              const Color color = shade_fragment(fragment);
                              canvas.apply(state, place.x, place.y, color, fragment.depth);
                            });
+  canvas.finish();
   canvas.store(frame);
   return frame;
 }
