@@ -41,6 +41,8 @@ void check(const raster::TextureUnit& unit) {
       "a mapping makes coordinates of textures that colour, not of maps");
   require(!is_cube || unit.mapping.surface == raster::MappingSurface::none,
           "a mapping makes coordinates of two-dimensional textures, not of cube maps");
+  require(unit.role == raster::TextureRole::environment || unit.tiles == raster::TileChange::none,
+          "tiles are changed of textures that colour, not of maps");
 }
 
 }  // namespace

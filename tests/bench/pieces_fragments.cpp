@@ -62,7 +62,7 @@ struct PreparedBatch {
     const DrawCall& draw = scene.draws[0];
     geometry = draw.mesh.geometry();
     plan = std::make_unique<pipeline::DrawPlan>(draw.state, geometry,
-                                                pipeline::FrameSize{scene.width, scene.height}, counters);
+                                                pipeline::FrameSize{scene.width, scene.height, {}}, counters);
     std::memset(static_cast<void*>(batch), 0, sizeof *batch);
     batch->state = &plan->fragment;
     batch->count = raster::kBatchCapacity;

@@ -17,7 +17,7 @@ struct PreparedDraw {
     state.lighting.enabled = lit;
     geometry = scene.draws[0].mesh.geometry();
     plan = std::make_unique<pipeline::DrawPlan>(state, geometry,
-                                                pipeline::FrameSize{scene.width, scene.height}, counters);
+                                                pipeline::FrameSize{scene.width, scene.height, {}}, counters);
     vertices = pipeline::allocate_vertices(*plan, 0, geometry.vertex_count, memory);
     transform();
   }

@@ -8,6 +8,20 @@ using raster::MagFilter;
 using raster::MinFilter;
 using raster::TextureRole;
 
+/// Slopes at random, and z large enough that no normal is near 0, where any rounding turns it.
+const raster::Texture* add_normals(RandomBits& random, ScenePair& pair) {
+  constexpr int kSide = 16;
+  std::vector<std::uint8_t> rgba;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    for (const int byte : {random.between(64, 191), random.between(64, 191), random.between(220, 255), 255}) {
+      rgba.push_back(static_cast<std::uint8_t>(byte));
+    }
+  }
+  pair.textures.push_back(
+      std::make_unique<raster::Texture>(raster::Texture::make_2d({kSide, kSide, rgba}, {})));
+  return pair.textures.back().get();
+}
+
 /// A surface under Phong shading with a map in one of the units. llvmpipe filters 8-bit texels with 8-bit
 /// weights, so that a filtered normal is off by 1/255: highlights, which would enlarge that, are left to maps
 /// that are not filtered.
@@ -31,7 +45,9 @@ DrawCall mapped(RandomBits& random, ScenePair& pair, TextureRole role, bool filt
   lighting.back = lighting.front;
   raster::TextureUnit& unit = draw.state.texture_units[random.chance(50) ? 0 : 1];
   unit.role = role;
-  unit.texture = add_texture(random, pair, {}, 16, role != TextureRole::occlusion);
+  unit.texture = role == TextureRole::normal
+                     ? add_normals(random, pair)
+                     : add_texture(random, pair, {}, 16, role != TextureRole::occlusion);
   unit.min_filter = filtered ? MinFilter::linear : MinFilter::nearest;
   unit.mag_filter = filtered ? MagFilter::linear : MagFilter::nearest;
   return draw;

@@ -19,7 +19,7 @@ struct Drawn {
   std::vector<raster::PrimitiveChunk> chunks;
   AssemblyCounts counts;
 
-  Drawn(const State& state, const Geometry& geometry, FrameSize frame = {256, 128}) {
+  Drawn(const State& state, const Geometry& geometry, FrameSize frame = {256, 128, {}}) {
     plan = std::make_unique<DrawPlan>(state, geometry, frame, counters);
     vertices = allocate_vertices(*plan, 0, geometry.vertex_count, memory);
     for (std::uint32_t begin = 0; begin < geometry.vertex_count; begin += kVertexBatch) {

@@ -105,16 +105,16 @@ TEST(BumpMap, GradientsOfASolidGoThroughMatricesAsNormalsDo) {
 std::array<float, 4> wave(float s, float t, float r) {
   return {0.5f + 0.25f * s * t, 0.5f - 0.125f * t * t, 0.25f * r * s, 1.0f};
 }
-void waves(const raster::FragmentBatch& batch, int unit, float (*texel)[raster::kBatchStride]) {
-  const int at = batch.state->varyings.at(Meaning::texcoord, unit);
-  const bool solid = batch.state->varyings.floats(Meaning::texcoord, unit) == 3;
-  for (int i = 0; i < raster::kBatchStride; ++i) {
-    const auto color =
-        wave(batch.varying[at][i], batch.varying[at + 1][i], solid ? batch.varying[at + 2][i] : 0.0f);
+std::uint64_t waves(const raster::TextureUnit&, const raster::ProcedurePoints& points,
+                    float (*texel)[raster::kBatchStride]) {
+  for (int i = 0; i < points.count; ++i) {
+    const float third = points.at[2] != nullptr ? points.at[2][i] : 0.5f;
+    const auto color = wave(points.at[0][i], points.at[1][i], third);
     for (std::size_t c = 0; c < 4; ++c) texel[c][i] = color[c];
   }
+  return 0;
 }
-std::array<float, 4> wave_at(const raster::TextureUnit&, const float (&at)[3],
+std::array<float, 4> wave_at(const raster::TextureUnit&, const float (&at)[3], const float (&)[3],
                              raster::reference::UnitTrace*) {
   return wave(at[0], at[1], at[2]);
 }

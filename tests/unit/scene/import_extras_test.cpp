@@ -230,7 +230,6 @@ json written_form(const gltf::Property& row) {
       for (std::string word; std::getline(words, word, '|');) choices.push_back(word);
       return {{"enum", choices}};
     }
-    case gltf::Kind::integer:
     case gltf::Kind::index:
       return {{"type", "integer"}, {"minimum", 0}};
     case gltf::Kind::object:
@@ -273,6 +272,7 @@ json sample(const gltf::Property& row) {
   if (row.kind == gltf::Kind::text) return std::string(row.choices.substr(row.choices.rfind('|') + 1));
   if (row.name == "texture") return {{"procedure", "marble"}};
   if (row.name == "mapping") return {{"surface", "box"}};
+  if (row.name == "texCoord") return 1;
   if (row.kind == gltf::Kind::integer) return 3;
   if (row.kind == gltf::Kind::index) return 1;
   return row.name == "fog" ? json{{"mode", "linear"}} : json{{"index", 0}};
