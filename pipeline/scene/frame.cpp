@@ -16,6 +16,9 @@
 namespace barrido::scene {
 namespace {
 
+/// Below this a reflection is too faint to be worth six pictures.
+constexpr float kLeastDynamicReflectance = 0.2f;
+
 /// Dark grey as seen on the screen, where nobody asks for another background.
 constexpr glm::vec4 kDefaultBackground{0.2f, 0.2f, 0.2f, 1.0f};
 
@@ -224,6 +227,22 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
   warn_of_coordinates(frame, settings, warnings);
   choose_surroundings(frame, own, settings, caches);
   return frame;
+}
+
+std::map<int, glm::dvec3> reflecting_nodes(const SceneFrame& frame) {
+  std::map<int, std::pair<glm::dvec3, int>> sums;
+  for (const Draw& draw : frame.list.draws) {
+    const int unit = draw.surface.reflection_unit;
+    if (unit == kNone) continue;
+    const std::array<float, 4>& share = draw.surface.units[static_cast<std::size_t>(unit)].env_color;
+    if (std::max({share[0], share[1], share[2]}) < kLeastDynamicReflectance) continue;
+    auto& [sum, count] = sums.try_emplace(draw.node, glm::dvec3(0.0), 0).first->second;
+    sum += glm::dvec3(draw.world_from_object * glm::vec4(draw.center, 1.0f));
+    ++count;
+  }
+  std::map<int, glm::dvec3> centers;
+  for (const auto& [node, sum] : sums) centers[node] = sum.first / static_cast<double>(sum.second);
+  return centers;
 }
 
 }  // namespace barrido::scene

@@ -73,4 +73,7 @@ SceneFrame prepare_frame(const Scene& scene, const RenderSettings& settings, Sce
 /// Encoding of colour pictures: decoded for frames in linear light, else used as they are.
 raster::Encoding color_encoding(const RenderSettings& settings);
 
+/// The nodes that reflect enough to have surroundings of their own, with the middle of what they draw.
+std::map<int, glm::dvec3> reflecting_nodes(const SceneFrame& frame);
+
 }  // namespace barrido::scene

@@ -26,8 +26,6 @@ namespace {
 
 constexpr int kDynamicMapSize = 256;
 constexpr std::size_t kMaxDynamicMaps = 16;
-/// Below this a reflection is too faint to be worth six pictures.
-constexpr float kLeastDynamicReflectance = 0.2f;
 
 /// One look at the draws of a frame.
 struct Pass {
@@ -220,23 +218,6 @@ class PassRenderer {
   BlendedOrder order_;  // index lists of this pass, until it is finished
   bool drawn_ = false;
 };
-
-/// The nodes that reflect enough to have surroundings of their own, with the middle of what they draw.
-std::map<int, glm::dvec3> reflecting_nodes(const SceneFrame& frame) {
-  std::map<int, std::pair<glm::dvec3, int>> sums;
-  for (const Draw& draw : frame.list.draws) {
-    const int unit = draw.surface.reflection_unit;
-    if (unit == kNone) continue;
-    const std::array<float, 4>& share = draw.surface.units[static_cast<std::size_t>(unit)].env_color;
-    if (std::max({share[0], share[1], share[2]}) < kLeastDynamicReflectance) continue;
-    auto& [sum, count] = sums.try_emplace(draw.node, glm::dvec3(0.0), 0).first->second;
-    sum += glm::dvec3(draw.world_from_object * glm::vec4(draw.center, 1.0f));
-    ++count;
-  }
-  std::map<int, glm::dvec3> centers;
-  for (const auto& [node, sum] : sums) centers[node] = sum.first / static_cast<double>(sum.second);
-  return centers;
-}
 
 }  // namespace
 
