@@ -9,6 +9,7 @@
 
 #include "raster/rasterizer.h"
 #include "raster/reference/reference_rasterizer.h"
+#include "raster/tiles/binning.h"
 
 namespace barrido::raster {
 namespace {

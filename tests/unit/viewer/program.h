@@ -21,7 +21,7 @@ struct RunOptions {
   std::string out_path;            ///< Where standard output goes instead of into Outcome; empty: there.
   bool close_out = false;          ///< Start with standard output closed.
   std::uint64_t memory_bytes = 0;  ///< Limit of the address space; 0: none.
-  std::string in_path;             ///< File that is standard input; empty: the test's own.
+  std::string in_path{};           ///< File that is standard input; empty: the test's own.
 };
 
 /// Runs `barrido WORDS…` to its end.
