@@ -41,7 +41,7 @@ struct Case {
   }
   raster::VaryingList layout() const {
     FragmentCounters counters;
-    return DrawPlan(state, geometry, {64, 64}, counters).fragment.varyings;
+    return DrawPlan(state, geometry, {64, 64, {}}, counters).fragment.varyings;
   }
   void light(const glm::vec4& position) {
     state.lighting.enabled = true;

@@ -112,7 +112,7 @@ TEST(VertexStage, ProjectsIntoTheWindow) {
 TEST(VertexStage, SnapsToTheNearestSubpixel) {
   // Window coordinates that a float holds exactly: n + ½ of 1/256 pixel rounds up.
   const std::vector<float> positions{-1, -1, 0, 1, 1, 0, 1.0f / 65536.0f, -1.0f / 65536.0f, 0};
-  const Drawn drawn(State{}, geometry_of(positions), {256, 256});
+  const Drawn drawn(State{}, geometry_of(positions), {256, 256, {}});
   const auto x = [&](int i) { return window_coordinate(drawn.vertices.positions[i].x); };
   const auto y = [&](int i) { return window_coordinate(drawn.vertices.positions[i].y); };
   EXPECT_EQ(x(0), 0);

@@ -122,7 +122,7 @@ TEST(CameraMoves, StandardViewsSeeTheWholeSphere) {
 TEST(CameraMoves, ChoiceHoldsOnlyWhatIsNeeded) {
   scene::CameraChoice choice;
   set_camera(choice, front_eye(), false);
-  EXPECT_EQ(choice.position, glm::vec3(0, 0, 10));
+  EXPECT_EQ(choice.position, glm::dvec3(0, 0, 10));
   EXPECT_TRUE(choice.ignore_file_cameras);
   EXPECT_FALSE(choice.view_up);
   EXPECT_FALSE(choice.view_angle_deg);

@@ -51,7 +51,7 @@ TEST_F(SettingsFile, HoldsOptionsByName) {
   const cli::RenderOptions options = read();
   EXPECT_EQ(options.shadings, std::vector{pipeline::ShadeModel::flat});
   EXPECT_EQ(options.settings.exposure_ev, 1.5f);
-  EXPECT_EQ(options.settings.camera.position, glm::vec3(1, -2.5f, 10));
+  EXPECT_EQ(options.settings.camera.position, glm::dvec3(1, -2.5f, 10));
   EXPECT_TRUE(options.settings.overlays.edges);
   EXPECT_FALSE(options.settings.wireframe);
   EXPECT_EQ(options.settings.lights.size(), 2u);

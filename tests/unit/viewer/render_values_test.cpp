@@ -212,8 +212,8 @@ TEST(RenderValues, Camera) {
   EXPECT_EQ(parse("--camera-index", "2,0").cameras, (std::vector<int>{2, 0}));
   EXPECT_TRUE(parse("--camera-index", "all").all_cameras);
   EXPECT_TRUE(settings("--camera-index", "none").camera.ignore_file_cameras);
-  EXPECT_EQ(settings("--camera-position", "-1,2,3").camera.position, glm::vec3(-1, 2, 3));
-  EXPECT_EQ(settings("--camera-focal-point", "1e3,0,-.5").camera.focal_point, glm::vec3(1000, 0, -0.5f));
+  EXPECT_EQ(settings("--camera-position", "-1,2,3").camera.position, glm::dvec3(-1, 2, 3));
+  EXPECT_EQ(settings("--camera-focal-point", "1e3,0,-.5").camera.focal_point, glm::dvec3(1000, 0, -0.5f));
   EXPECT_EQ(settings("--camera-view-angle", "45").camera.view_angle_deg, 45.0f);
   EXPECT_EQ(settings("--up", "+Z").camera.up, glm::vec3(0, 0, 1));
   EXPECT_EQ(settings("--up", "-X").camera.up, glm::vec3(-1, 0, 0));
