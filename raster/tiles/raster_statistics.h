@@ -20,10 +20,10 @@ struct RasterStatistics {
   /// Quantities interpolated: depth for every covered fragment, 1/w and varyings for every shaded one. One
   /// addition each in the incremental form (S5).
   std::uint64_t interpolations = 0;
-  std::uint64_t texel_fetches = 0;  ///< Texels read by the filters.
-  std::uint64_t mapped = 0;         ///< Fragments whose coordinates a mapping made.
-  std::uint64_t patterns = 0;       ///< Fragments whose texels a procedure made,
-  std::uint64_t noise = 0;          ///< and evaluations of noise for them.
+  std::uint64_t texel_fetches = 0;     ///< Texels read by the filters.
+  std::uint64_t mapped = 0;            ///< Fragments whose coordinates a mapping made.
+  std::uint64_t patterns = 0;          ///< Fragments whose texels a procedure made,
+  std::uint64_t noise = 0;             ///< and evaluations of noise for them.
   std::uint64_t sorted_fragments = 0;  ///< Fragments that were put in order by depth.
   /// Of those: blended before all others of their pixel were known, which were too many (kMaxPixelLayers).
   std::uint64_t crowded_fragments = 0;

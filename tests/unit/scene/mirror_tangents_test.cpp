@@ -52,8 +52,8 @@ double difference(const raster::Framebuffer& frame, int x0, int x1, int y) {
 
 /// Middles lie at fractions of a pixel.
 double least_difference(const raster::Framebuffer& frame, int x0, int x1, int y) {
-  return std::min({difference(frame, x0, x1 - 1, y), difference(frame, x0, x1, y),
-                   difference(frame, x0, x1 + 1, y)});
+  return std::min(
+      {difference(frame, x0, x1 - 1, y), difference(frame, x0, x1, y), difference(frame, x0, x1 + 1, y)});
 }
 
 TEST(MirroredTangents, BallsOfNormalMapsLookAsTheBallsOfGeometryBesideThem) {

@@ -1,8 +1,8 @@
 // Where procedures and mapped pictures lie on objects, seen in whole frames of small scenes.
 #include "pipeline/scene/texture_placement.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/unit/scene/frame_fixture.h"
 

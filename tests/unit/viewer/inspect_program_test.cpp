@@ -66,7 +66,8 @@ TEST_F(Inspect, MistakesAreOneLine) {
       {{"inspect", "bumps.glb", "-p", "1,1", "--sheet"}, "unknown option '--sheet'"},
       {{"render", "bumps.glb", "-o", "x.png", "--view", "overdrw"},
        "--view: 'overdrw': expected one of picture, overdraw, layers, illuminations, texels, mip-level, "
-       "mip-colors, texel-density, coordinates, triangles, depth, normals, mach-bands, samples, slivers; did you mean "
+       "mip-colors, texel-density, coordinates, triangles, depth, normals, mach-bands, samples, slivers; did "
+       "you mean "
        "'overdraw'? (or several with commas between, or all)"},
       {{"render", "bumps.glb", "-o", "x.png", "--view", "depth,depth"},
        "--view: 'depth,depth': depth is given twice"},
