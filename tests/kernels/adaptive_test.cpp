@@ -119,7 +119,8 @@ TEST(Adaptive, ThinLinesAreNeverLost) {
     ASSERT_TRUE(is_whole(frame, a, b)) << "line " << i << " of width " << width << " from " << a[0] << ", "
                                        << a[1] << " to " << b[0] << ", " << b[1];
     const double exact = area(chunk);
-    ASSERT_NEAR(brightness(frame), exact, 0.15 * exact + 0.6) << "line " << i << " of width " << width;
+    // Of what lies between the samples a sliver's own part is shown, but not what part of it is hidden.
+    ASSERT_NEAR(brightness(frame), exact, 0.25 * exact + 1.0) << "line " << i << " of width " << width;
     lost_by_corners += !is_whole(draw(chunk, adaptive(false)), a, b);
   }
   EXPECT_GT(lost_by_corners, count / 4);

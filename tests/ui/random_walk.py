@@ -17,7 +17,7 @@ import display
 from viewer_program import DEADLINE_S, ViewerProgram
 
 # Keys with how often; Escape would quit.
-KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d q a p v v shift+v 1 3 5 7 9 Return Up Left "
+KEYS = ("s shift+s b o k e w n g t i f shift+f m r u x l shift+l j y d shift+d q a shift+a p v v shift+v 1 3 5 7 9 Return Up Left "
         "Right space z h Tab c ctrl+1 ctrl+2 ctrl+3 ctrl+8 ctrl+s ctrl+o F12").split()
 MODELS = ["showcase.glb", "room.glb", "checker_ground.glb", "lost_highlight.glb", "torus.glb"]
 SIZES = [(640, 400), (333, 517), (1000, 700), (200, 120)]

@@ -73,12 +73,12 @@ class WindowTest(unittest.TestCase):
     def test_views(self):
         program = self.start(MODELS / "checker_square.glb")
         seen = []
-        for _ in range(10):
+        for _ in range(14):
             program.draw_key("v")
             program.expect_equal_pixels("view")
             words = program.command_line()
             seen.append(words[words.index("--view") + 1])
-        self.assertEqual(len(set(seen)), 10)
+        self.assertEqual(len(set(seen)), 14)
         program.draw_key("v")
         self.assertNotIn("--view", program.command_line())
         program.close()
@@ -207,7 +207,7 @@ class WindowTest(unittest.TestCase):
         program.draw_key("d")
         program.draw_key("s")
         left = program.rendered_picture()
-        program.key("a")
+        program.key("shift+a")
         right = program.rendered_picture()
         program.drag(1, (169, 150), (89, 150))  # Nine pixels beside the divider, which scale 1 would not take.
         program.wait_for_frame()
@@ -285,7 +285,7 @@ class WindowTest(unittest.TestCase):
         program.draw_key("d")
         program.draw_key("s")
         left = program.rendered_picture()
-        program.key("a")
+        program.key("shift+a")
         right = program.rendered_picture()
         self.assertNotEqual(left, right)
         self.expect_split(program, left, right, 160)

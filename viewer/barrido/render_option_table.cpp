@@ -73,8 +73,9 @@ constexpr RenderOption kShadingOptions[] = {
     option("--cull", "FACES", kPicture, "none, back or front. Default: as the materials say.",
            choice<&Settings::cull, 3>(), list("culling", "the materials'")),
     option("--transparency", "WAY", kPicture,
-           "Order of transparent surfaces: sorted (default: triangles by the distance of their middles) or "
-           "exact (by depth in each pixel, also where surfaces pass through each other; up to 64 layers).",
+           "Order of transparent surfaces: sorted (triangles by the distance of their middles) or exact (by "
+           "depth "
+           "in each pixel, also where surfaces pass through each other; up to 64 layers). Default sorted.",
            choice<&Settings::transparency>(), widget("transparency")),
     option("--wireframe", "", kPicture, "Draw edges only.", flag<&Settings::wireframe>(),
            widget("wireframe")),

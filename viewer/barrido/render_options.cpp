@@ -70,9 +70,6 @@ void check_combinations(const Given& given) {
       throw UsageError(std::string(pair.one) + ": cannot be used together with " + std::string(pair.other));
     }
   }
-  if (given("--fps") && !given("--frames") && !given("--shutter")) {
-    throw UsageError("--fps: only with --frames or --shutter");
-  }
   for (const char* focus : {"--focus-distance", "--focus-pixel"}) {
     if (!given(focus) || given("--lens-radius") || given("--f-stop")) continue;
     throw UsageError(std::string(focus) + ": only with --lens-radius or --f-stop");
@@ -82,8 +79,8 @@ void check_combinations(const Given& given) {
       throw UsageError(std::string(need.option) + ": only with " + std::string(need.needs));
     }
   }
-  if (given("--fps") && !given("--frames") && !given("--turntable")) {
-    throw UsageError("--fps: only with --frames or --turntable");
+  if (given("--fps") && !given("--frames") && !given("--turntable") && !given("--shutter")) {
+    throw UsageError("--fps: only with --frames, --turntable or --shutter");
   }
 }
 

@@ -75,9 +75,11 @@ std::string fragment_map_stages(const pipeline::State& state) {
   std::string samplers, mapped = "  return n;\n", unoccluded = "  return 1.0;\n";
   for (std::size_t i = 0; i < state.texture_units.size(); ++i) {
     const raster::TextureUnit& unit = state.texture_units[i];
-    if (unit.procedure != nullptr) throw std::runtime_error("the reference programs know no procedures");
-    if (unit.texture == nullptr) continue;
     const bool is_map = tilts(unit) || unit.role == TextureRole::occlusion;
+    if (is_map && unit.procedure != nullptr) {
+      throw std::runtime_error("the reference programs know no maps by procedures");
+    }
+    if (unit.texture == nullptr) continue;
     if (is_map) samplers += "uniform sampler2D tex" + std::to_string(i) + ";\n";
     if (unit.role == TextureRole::normal) mapped = normal_map(i, unit);
     if (unit.role == TextureRole::bump) mapped = bump_map(i, unit);

@@ -16,6 +16,7 @@ const char* const kPicture =
 Model with_extras(const json& material, const json& light, const json& scene) {
   Model model = triangle();
   model.document["materials"] = {{{"extras", {{"barrido", material}}}}};
+  model.document["meshes"][0]["primitives"][0]["material"] = 0;
   model.document["extensionsUsed"] = {"KHR_lights_punctual"};
   model.document["extensions"]["KHR_lights_punctual"]["lights"] = {
       {{"type", "point"}, {"extras", {{"barrido", light}}}}};
@@ -272,6 +273,7 @@ json sample(const gltf::Property& row) {
   if (row.kind == gltf::Kind::text) return std::string(row.choices.substr(row.choices.rfind('|') + 1));
   if (row.name == "texture") return {{"procedure", "marble"}};
   if (row.name == "mapping") return {{"surface", "box"}};
+  if (row.name == "displacement") return {{"scale", 0.25}};
   if (row.name == "texCoord") return 1;
   if (row.kind == gltf::Kind::integer) return 3;
   if (row.kind == gltf::Kind::index) return 1;
@@ -291,6 +293,10 @@ std::string settings_of(const Scene& scene) {
     text << use->texture << ' ' << use->texcoord_set << ' ';
   }
   text << maps.bump.height << ' ' << static_cast<int>(maps.bump.form) << ' ';
+  if (const MaterialDisplacement* moves = maps.displacement.get()) {
+    text << moves->texture.texture << ' ' << moves->by.scale << ' ' << moves->by.bias << ' '
+         << moves->by.pieces << ' ';
+  }
   const Light& light = scene.lights[0];
   const SceneSettings& settings = scene.scenes[0].settings;
   put(light.attenuation);

@@ -32,7 +32,7 @@ TEST(Commands, FiltersBeginWithTheFiles) {
   cli::step_option(options, "--min-filter", -1);
   EXPECT_FALSE(options.settings.min_filter);
   cli::step_option(options, "--min-filter", -1);
-  EXPECT_EQ(options.settings.min_filter, raster::MinFilter::linear_mipmap_linear);
+  EXPECT_EQ(options.settings.min_filter, raster::MinFilter::corners);
   cli::step_option(options, "--min-filter", 1);
   EXPECT_FALSE(options.settings.min_filter);
 }

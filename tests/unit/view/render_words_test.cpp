@@ -39,6 +39,9 @@ TEST(RenderWords, KnowEveryOptionOfAPicture) {
   cli::RenderOptions rare;
   rare.settings.visibility_first = false;
   rare.settings.scene_index = 1;
+  scene::UserMap map;
+  map.path = "map.png";
+  rare.settings.maps.bump = rare.settings.maps.transparency = rare.settings.maps.specularity = map;
   for (const std::string& word : words_of(rare)) written.insert(word);
   for (const cli::RenderOption& option : cli::render_option_table()) {
     if (!option.syntax.is_setting()) continue;

@@ -63,7 +63,7 @@ TEST_F(Inspect, MistakesAreOneLine) {
       {{"inspect", "bumps.glb", "-p", "1,1", "--shading", "all"}, "--shading: inspect takes one mode"},
       {{"inspect", "bumps.glb", "-p", "1,1", "--camera-index", "all"},
        "--camera-index: inspect takes one camera"},
-      {{"inspect", "bumps.glb", "-p", "1,1", "--sheet"}, "unknown option '--sheet'"},
+      {{"inspect", "bumps.glb", "-p", "1,1", "--sheet"}, "unknown option '--sheet'; did you mean '--seed'?"},
       {{"render", "bumps.glb", "-o", "x.png", "--view", "overdrw"},
        "--view: 'overdrw': expected one of picture, overdraw, layers, illuminations, texels, mip-level, "
        "mip-colors, texel-density, coordinates, triangles, depth, normals, mach-bands, samples, slivers; did "

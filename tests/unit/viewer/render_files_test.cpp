@@ -73,8 +73,11 @@ TEST_F(RenderFiles, AnAnimationIsOneFileForAllMoments) {
 
 TEST_F(RenderFiles, AnAnimationThatCannotBeFinishedLeavesNothing) {
   // More pixels a side than either format holds; the folder that was made stays.
-  expect_error({"square.gltf", "--turntable", "2", "--resolution", "16384,1", "-o", "turn.webp"},
-               "turn.webp: an animation has at most 16383 pixels a side");
+  const Outcome large =
+      render({"square.gltf", "--turntable", "2", "--resolution", "16384,8", "-o", "turn.webp"});
+  EXPECT_EQ(large.status, 2);
+  EXPECT_EQ(lines_of(large.error).back(), "barrido: turn.webp: an animation has at most 16383 pixels a side");
+  EXPECT_EQ(folder_.files(), Words{"square.gltf"});
   expect_error({"square.gltf", "--turntable", "2", "--shading", "all", "-o", "turn.gif"},
                "--output: 'turn.gif': the frames need different names: add {shading}");
   expect_error({"square.gltf", "square.gltf", "--turntable", "2", "-o", "{model}.gif"},

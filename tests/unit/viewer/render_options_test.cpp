@@ -80,7 +80,7 @@ TEST(RenderOptions, ContradictionsAreRefused) {
 }
 
 TEST(RenderOptions, NeedsAreNamed) {
-  EXPECT_EQ(complaint_after_file({"--fps", "25"}), "--fps: only with --frames or --turntable");
+  EXPECT_EQ(complaint_after_file({"--fps", "25"}), "--fps: only with --frames, --turntable or --shutter");
   EXPECT_EQ(complaint({"a.glb", "--hash", "--sheet"}), "--sheet: only with --output");
   EXPECT_EQ(complaint_after_file({"--background", "environment"}),
             "--background: 'environment': needs a picture, --environment PATH");
