@@ -214,7 +214,7 @@ struct SurfaceMaker {
   /// The material by itself.
   SurfaceState base(Material source) const {
     SurfaceState surface = start(source);
-    SurfaceBuilder builder(scene, options, textures, surface);
+    SurfaceBuilder builder(options, textures, surface);
     if (source.layers && source.layers->specular_glossiness) {
       source.roughness = 1.0f - source.layers->specular_glossiness->glossiness;
     }
@@ -235,7 +235,7 @@ struct SurfaceMaker {
     SurfaceState surface = start(source);
     surface.blending = Blending::filter;
     surface.lit = false;
-    SurfaceBuilder builder(scene, options, textures, surface);
+    SurfaceBuilder builder(options, textures, surface);
     glm::vec3 tint = transmitted(source, use.scale);
     if (builder.can_use(layers.transmission_texture)) {
       builder.add_factor(layers.transmission_texture, TexelUse::Channels::red, layers.transmission);
@@ -262,7 +262,7 @@ struct SurfaceMaker {
     SurfaceState surface = base(std::move(source));
     surface.blending = Blending::add;
     if (surface.unit_count < raster::kMaxTextureUnits) {
-      SurfaceBuilder(scene, options, textures, surface)
+      SurfaceBuilder(options, textures, surface)
           .add_factor(picture, TexelUse::Channels::one_minus_red, factor);
     }
     return surface;

@@ -9,9 +9,8 @@ namespace barrido::scene {
 /// Adds units to a surface, first to last in the order of the texturing.
 class SurfaceBuilder {
  public:
-  SurfaceBuilder(const Scene& scene, const SurfaceOptions& options, TextureCache& textures,
-                 SurfaceState& surface)
-      : scene_(scene), options_(options), textures_(textures), surface_(surface) {}
+  SurfaceBuilder(const SurfaceOptions& options, TextureCache& textures, SurfaceState& surface)
+      : options_(options), textures_(textures), surface_(surface) {}
 
   bool can_use(const TextureUse& use) const { return options_.textures && textures_.usable(use.texture); }
 
@@ -41,7 +40,6 @@ class SurfaceBuilder {
   void place(const TextureChoice& choice);
   void set_role(raster::TextureRole role, float strength);
 
-  const Scene& scene_;
   const SurfaceOptions& options_;
   TextureCache& textures_;
   SurfaceState& surface_;
