@@ -27,21 +27,19 @@ double ViewScale::value_at(double t) const {
 
 ViewScale scale_of(const ViewValues& values) {
   ViewScale scale;
+  const auto on_both_sides_of_0 = [&](double limit, const char* below, const char* above) {
+    scale.is_signed = true;
+    scale.most = limit;
+    scale.least = -limit;
+    scale.least_word = below + (" " + number(scale.least));
+    scale.most_word = "+" + number(scale.most) + " " + above;
+    return scale;
+  };
   switch (values.view) {
     case StructureView::mach_bands:
-      scale.is_signed = true;
-      scale.most = kMachBandLimit;
-      scale.least = -kMachBandLimit;
-      scale.least_word = "light " + number(scale.least);
-      scale.most_word = "+" + number(scale.most) + " dark";
-      return scale;
+      return on_both_sides_of_0(kMachBandLimit, "light", "dark");
     case StructureView::texel_density:
-      scale.is_signed = true;
-      scale.most = kDensityLimit;
-      scale.least = -kDensityLimit;
-      scale.least_word = "magnified " + number(scale.least);
-      scale.most_word = "+" + number(scale.most) + " minified";
-      return scale;
+      return on_both_sides_of_0(kDensityLimit, "magnified", "minified");
     case StructureView::depth:
       scale.least = values.least;
       scale.most = values.most;

@@ -232,10 +232,10 @@ struct SceneRenderer::Implementation {
   void move(const RenderSettings& settings) {
     constexpr int kMomentsKept = 64;
     if (!moved) return;
-    move_properties(at_rest, settings.animation, settings.time_s, *moved);
     const std::pair moment(settings.animation, settings.time_s);
     if (moment == last_moment) return;
     last_moment = moment;
+    move_properties(at_rest, settings.animation, settings.time_s, *moved);
     if (++moments % kMomentsKept == 0) caches = std::make_unique<SceneCaches>(at_rest);
   }
 
@@ -243,7 +243,7 @@ struct SceneRenderer::Implementation {
   std::unique_ptr<Scene> moved;  ///< Null where nothing moves but nodes.
   const Scene& scene;            ///< Whichever is drawn.
   std::unique_ptr<SceneCaches> caches;
-  std::pair<int, double> last_moment{kNone, 0.0};
+  std::optional<std::pair<int, double>> last_moment;
   int moments = 0;
   std::vector<std::string> warnings;
 

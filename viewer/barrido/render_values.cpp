@@ -91,8 +91,7 @@ Texts mapping_texts(const RenderOptions& options) {
 
 void read_displacement(RenderOptions& options, std::string_view text) {
   if (text.empty()) throw ValueError("expected a picture, a procedure or constant");
-  options.settings.displacement.solid =
-      text == "constant" ? decltype(options.settings.displacement.solid){} : parse_solid(text);
+  options.settings.displacement.solid = text == "constant" ? std::nullopt : parse_solid(text);
   options.settings.displacement.source = text;
 }
 
